@@ -52,6 +52,9 @@ def problem_of(word):
     if not found:
         return ''
     name, value = found.group('name', 'value')
+    if not name.startswith('_'):
+        is_name = value.strip('/') and rosgraph.names.is_legal_name(value)
+        return '' if is_name else '%s is not a remapping: it says no name of a topic or a service' % word
     if name == '__master':
         return '' if is_address(value) else '%s is not an address like http://host:11311' % word
     if name == '__name':
@@ -181,9 +184,9 @@ def init_node(name, options, interrupts):
 
 
 def log_to_terminal():
-    """Shows the lines of the log on the terminal also where rospy cannot make a folder for log files, and then configures no log."""
+    """Shows the lines of the log on the terminal also where rospy cannot make a folder for log files: it sets up no logging then."""
     logger = logging.getLogger('rosout')
-    if not any(isinstance(handler, rosgraph.roslogging.RosStreamHandler) for handler in logger.handlers):
+    if all(isinstance(handler, rospy.impl.rosout.RosOutHandler) for handler in logger.handlers + logging.getLogger().handlers):
         logger.addHandler(rosgraph.roslogging.RosStreamHandler())
         logger.setLevel(logging.INFO)
 

@@ -72,6 +72,17 @@ bool MapFileSet::isOfAnotherProgram() const {
   }
 }
 
+std::string MapFileSet::wayOut() const {
+  const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
+  if (!text.ok()) return "";
+  try {
+    if (namesNoOctree(text.bytes) || !readFile(pictureOf(text.bytes), bounds::kMostImageBytes).ok()) return "";
+  } catch (const std::invalid_argument&) {
+    return "";
+  }
+  return "; to load the image alone, remove the entry 'octree' from " + yaml();
+}
+
 std::optional<MapFileSet::Picture> MapFileSet::otherPicture() const {
   const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
   if (!text.ok()) return {};

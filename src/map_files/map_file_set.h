@@ -35,11 +35,13 @@ class MapFileSet {
   /// Whether there is a YAML that mentions no octree, as other programs write it, or one that cannot be read. A YAML
   /// that `saveMap` wrote and whose .bt is missing belongs to a damaged map.
   bool isOfAnotherProgram() const;
+  /// How a map is loaded whose octree is damaged, as the end of an answer; empty if that would not help.
+  std::string wayOut() const;
   /// A picture that was not saved with the octree, and where it is from.
   struct Picture {
     std::string path;
     std::string why;
-    bool counts = true;  ///< before the octree
+    bool counts = true;  ///< it is loaded instead of the octree
   };
   /// The picture, if it is another one than was saved with the octree. It counts if somebody has edited it, or named
   /// another in the YAML, or another program has saved its map under the same name. That of the save before does not:

@@ -23,8 +23,7 @@ MapIoResult cannotRead(const std::string& path, const FileContent& content) {
 
 /// A damaged map is not loaded from its picture unless somebody says so: this tells how. [MAP-5]
 MapIoResult withWayOut(MapIoResult result, const MapFileSet& files) {
-  if (!result.ok() && readFile(files.yaml(), bounds::kMostYamlBytes).ok())
-    result.text += "; to load the image alone, remove the entry 'octree' from " + files.yaml();
+  if (!result.ok()) result.text += files.wayOut();
   return result;
 }
 
@@ -71,22 +70,22 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   // the files belong together.
   const FolderLock lock(files.folder(), FolderLock::Kind::kRead, std::chrono::seconds(1));
   const FileContent octree = readFile(files.octree(), map.mostBytes());
+  const std::optional<MapFileSet::Picture> other = files.otherPicture();
   if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())
-    return loadPicture(files.yaml(), {}, "it has no octree", map);
+    return loadPicture(files.yaml(), other ? other->path : "", "it has no octree", map);
   if (!octree.ok()) return withWayOut(cannotRead(files.octree(), octree), files);
   MapIoResult belongs = files.compareOctree(octree.bytes);
-  if (!belongs.ok()) return belongs;
-  if (const auto other = files.otherPicture()) {
-    if (other->counts) {
-      MapIoResult drawn = loadPicture(files.yaml(), other->path, other->why, map);
-      if (drawn.ok()) return drawn;
-      belongs.text += "; its image should count, because " + other->why + ", but cannot be used: " + drawn.text;
-    } else {
-      belongs.text += "; its image does not count, because " + other->why;
-    }
+  if (!belongs.ok()) return withWayOut(belongs, files);
+  if (other && other->counts) {
+    MapIoResult drawn = loadPicture(files.yaml(), other->path, other->why, map);
+    if (drawn.ok()) return drawn;
+    belongs.text += "; its image should count, because " + other->why + ", but cannot be used: " + drawn.text;
+  } else if (other && belongs.text.empty()) {  // the octree is that of the last save
+    belongs.text += "; its image does not count, because " + other->why;
   }
-  MapIoResult result = withWayOut(loadBytes(files.octree(), octree.bytes, map), files);
-  if (result.ok()) result.text += belongs.text;
+  MapIoResult result = loadBytes(files.octree(), octree.bytes, map);
+  if (!result.ok() && !other) return withWayOut(result, files);
+  result.text += belongs.text;
   return result;
 }
 

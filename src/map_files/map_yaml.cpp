@@ -39,6 +39,15 @@ bool names(const ParameterMap& entry, const char* bytes_key, const char* crc_key
 
 const char* keyOf(SavedFile file) { return file == SavedFile::kOctree ? "octree" : "picture"; }
 
+/// The name, without its extension, of the file that an entry is about; empty if there is none.
+std::string nameIn(const ParameterMap& map, SavedFile saved, std::string_view extension) {
+  const auto* entry = find<ParameterMap>(map, keyOf(saved));
+  const auto* file = entry != nullptr ? find<std::string>(*entry, "file") : nullptr;
+  const bool ours = file != nullptr && file->size() > extension.size() &&
+                    file->compare(file->size() - extension.size(), extension.size(), extension) == 0;
+  return ours ? file->substr(0, file->size() - extension.size()) : "";
+}
+
 /// The lines with length and checksum of a file under `prefix`.
 std::string checksums(const std::string& prefix, const std::string& content) {
   std::ostringstream lines;
@@ -82,12 +91,8 @@ std::string imageOf(const std::string& yaml) {
 
 std::string savedNameOf(const std::string& yaml) {
   const ParameterMap map = parseYaml(yaml);
-  const auto* entry = find<ParameterMap>(map, keyOf(SavedFile::kOctree));
-  const auto* file = entry != nullptr ? find<std::string>(*entry, "file") : nullptr;
-  constexpr std::string_view extension = ".bt";
-  const bool ours = file != nullptr && file->size() > extension.size() &&
-                    file->compare(file->size() - extension.size(), extension.size(), extension) == 0;
-  return ours ? file->substr(0, file->size() - extension.size()) : "";
+  const std::string octree = nameIn(map, SavedFile::kOctree, ".bt");
+  return octree.empty() ? nameIn(map, SavedFile::kPicture, ".pgm") : octree;
 }
 
 bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree, const std::string& picture) {

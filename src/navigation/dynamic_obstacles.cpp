@@ -14,8 +14,8 @@ constexpr std::size_t kMostThings = 50;
 constexpr std::size_t kFewestHits = 3;  ///< of a thing
 constexpr double kNear = 4.0;           ///< farther things are not tracked [m]
 constexpr double kOffWalls = 0.15;      ///< least distance of a thing from what the map shows [m]
-constexpr int kBesideWalls = 1;         ///< least distance of what may be a part of a thing from it [cells]
-constexpr double kPart = 0.3;           ///< greatest distance of such a part from an end of the thing [m]
+constexpr double kBesideWalls = 0.05;   ///< hits that are farther from it may be on a part of a thing [m]
+constexpr double kPart = 0.3;           ///< greatest distance of such a hit from an end of the thing [m]
 constexpr double kSameThing = 0.15;     ///< between neighbouring hits of one thing [m]
 constexpr double kMissed = 0.2;         ///< between them, where beams had no hit on it [rad]
 constexpr double kWidest = 1.2;         ///< a group that is wider is no thing that drives or walks [m]
@@ -79,7 +79,8 @@ struct DynamicObstacles::Hits {
 
 DynamicObstacles::Hits DynamicObstacles::hitsIn(const LaserScan2& scan, const Pose2& T_map_base,
                                                 const planning::ClearanceMap& map) {
-  const int off_walls = static_cast<int>(std::ceil(kOffWalls / map.geometry().resolution));
+  const auto cells = [&](double distance) { return static_cast<int>(std::ceil(distance / map.geometry().resolution)); };
+  const int off_walls = cells(kOffWalls), beside_walls = cells(kBesideWalls);
   Hits hits;
   std::vector<Group>& groups = hits.groups;
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
@@ -88,7 +89,7 @@ DynamicObstacles::Hits DynamicObstacles::hitsIn(const LaserScan2& scan, const Po
     const Vec2 point = T_map_base * scan.point(beam, reading.distance);
     const Cell cell = map.geometry().cellAt(point);
     if (!map.isFreeFloor(cell, off_walls)) {
-      if (map.isFreeFloor(cell, kBesideWalls)) hits.beside_walls.push_back(point);
+      if (map.isFreeFloor(cell, beside_walls)) hits.beside_walls.push_back(point);
       continue;
     }
     const auto continues = [&](const Group& group) {
@@ -111,8 +112,8 @@ DynamicObstacles::Hits DynamicObstacles::hitsIn(const LaserScan2& scan, const Po
   return hits;
 }
 
-std::vector<DynamicObstacles::Sight> DynamicObstacles::thingsAmong(const Hits& hits, const Vec2& robot) {
-  std::vector<Group> groups = hits.groups;
+std::vector<DynamicObstacles::Sight> DynamicObstacles::thingsAmong(Hits hits, const Vec2& robot) {
+  std::vector<Group>& groups = hits.groups;
   std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.distance < b.distance; });
   std::vector<Sight> sights;
   for (const Group& group : groups) {

@@ -35,7 +35,7 @@ class DynamicObstacles {
   struct Hits;
 
   static Hits hitsIn(const LaserScan2& scan, const Pose2& T_map_base, const planning::ClearanceMap& map);
-  static std::vector<Sight> thingsAmong(const Hits& hits, const Vec2& robot);
+  static std::vector<Sight> thingsAmong(Hits hits, const Vec2& robot);
   static Vec2 velocityOf(const Track& track);
   static Vec2 slope(const Track& track, Vec2 Sight::*place);
   void follow(const std::vector<Sight>& sights, Time now);

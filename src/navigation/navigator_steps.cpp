@@ -216,13 +216,13 @@ Navigator::Impl::MapFloor Navigator::Impl::floorAt(const Pose2& T_map_base) cons
 
 /// For the lane and, of a robot that is no disc, the corners. Where the robot was nearer to something than a path may
 /// come when the recovery began, it may stay as near, so that it gets away; and where it drove before, it may be again.
-/// What it does meanwhile lowers nothing, or it would come nearer step by step. To what may move it keeps half of the
-/// way.
+/// What it does meanwhile lowers nothing, or it would come nearer step by step. In each tick it also stays on its own
+/// side of the middle between itself, where it is now, and what may move.
 HasRoom Navigator::Impl::hasRoom() const {
   const planning::OutlineCheck corners(outline_);
   const NeighbourCheck neighbours(neighbours_, pose_->pose, outline_);
   return [this, corners, neighbours, begun = floorAt(recovery_began_.back())](const Pose2& pose) {
-    if (!neighbours.isOnOwnSide(pose)) return false;
+    if (!neighbours.isOutlineOnOwnSide(pose)) return false;
     const auto keeps = [&](const MapFloor& floor) {
       return clearance_.clearance(pose.position()) >= floor.lane && corners.fits(clearance_, pose, floor.corner_slack);
     };

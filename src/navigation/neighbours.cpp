@@ -47,11 +47,20 @@ bool NeighbourCheck::isFree(const Vec2& position, double seconds) const {
                      [&](const SeenThing& thing) { return isFreeOf(thing.body, position, seconds); });
 }
 
+/// Whether the outline at `pose` is on this side of a border.
+bool NeighbourCheck::keeps(const Border& border, const Pose2& pose) const {
+  return reachAlong(border.across, pose) <= border.widest + kRounding;
+}
+
 bool NeighbourCheck::isOnOwnSide(const Pose2& pose) const {
   return std::all_of(borders_.begin(), borders_.end(), [&](const Border& border) {
     return border.ahead.dot(pose.position()) <= border.farthest + kRounding &&
-           (outline_.isDisc() || reachAlong(border.across, pose) <= border.widest + kRounding);
+           (outline_.isDisc() || keeps(border, pose));
   });
+}
+
+bool NeighbourCheck::isOutlineOnOwnSide(const Pose2& pose) const {
+  return std::all_of(borders_.begin(), borders_.end(), [&](const Border& border) { return keeps(border, pose); });
 }
 
 }  // namespace frontier_pilot::navigation

@@ -33,6 +33,9 @@ class NeighbourCheck {
   /// robots do not touch if each can brake on its own side and knows where the other one is, whatever else it knows of
   /// it: the buffered Voronoi cells of Zhou, Wang, Bandyopadhyay & Schwager (IEEE RA-L 2(2), 2017).
   bool isOnOwnSide(const Pose2& pose) const;
+  /// The same for the outline alone, without the room for a turn on the spot: for a robot that backs out of a narrow
+  /// place.
+  bool isOutlineOnOwnSide(const Pose2& pose) const;
 
  private:
   /// The border with something that may move: for the disc around this robot, which it may fill by a turn, and for its
@@ -44,6 +47,7 @@ class NeighbourCheck {
     double widest;    ///< coordinate along that of any part of it [m]
   };
   double reachAlong(const Vec2& unit, const Pose2& pose) const;
+  bool keeps(const Border& border, const Pose2& pose) const;
   bool isFreeOf(const MovingDisc& other, const Vec2& position, double seconds) const;
 
   const Neighbours& neighbours_;

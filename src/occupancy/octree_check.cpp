@@ -117,7 +117,7 @@ OctreeFile checkOctree(std::string_view bytes, double resolution, std::uint64_t 
   // Negated, so that NaN is refused as well.
   if (!(std::abs(header.resolution - resolution) <= kResolutionTolerance)) {
     std::ostringstream problem;
-    problem << "its cells are of " << header.resolution << " m, those of this map of " << resolution << " m";
+    problem << "its cells are " << header.resolution << " m wide, those of the mapper's map " << resolution << " m";
     return broken(problem.str());
   }
   if (const char* problem = TreeWalk(rest).run(nodes)) return broken(problem);

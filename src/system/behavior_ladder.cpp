@@ -30,7 +30,6 @@ behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outli
 
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
                                   const Outline& outline) {
-  if (outline.isDisc()) return goal;
   const behavior::LookAhead look = lookAround(in, outline);
   const double sign = goal.kind == behavior::BehaviorKind::kBackUp ? -1.0 : 1.0;
   const auto axis = goal.kind == behavior::BehaviorKind::kSpin ? behavior::AxisMotion::Axis::kTurn

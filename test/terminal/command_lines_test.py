@@ -67,9 +67,10 @@ class CommandLines(unittest.TestCase):
             node = BUILD / 'devel/lib/frontier_pilot' / name
             words = ['square'] if name == 'patrol_client' else []
             with self.subTest(program=name):
-                code, _, err = call(node, *words, '__name:=9')
-                self.assertEqual(code, 2)
-                self.assertRegex(err, '[Nn]ame')
+                for word in ('__name:=9', '__ns:=9', 'scan:=9'):
+                    code, _, err = call(node, *words, word)
+                    self.assertEqual(code, 2, word)
+                    self.assertRegex(err, '[Nn]ame')
                 for master in ('nowhere', 'http://localhost:abc', 'http://localhost:0', 'http://localhost:70000', 'http://localhost:'):
                     code, _, err = call(node, *words, master=master)
                     self.assertEqual(code, 2)
@@ -94,7 +95,7 @@ class CommandLines(unittest.TestCase):
 
     # [FLT-1]
     def test_words_for_ros_that_it_cannot_use_are_named_in_one_line(self):
-        of_python = ['_x:={', '__name:=a b']
+        of_python = ['_x:={', '__name:=a b', 'scan:=9x', 'scan:=', 'scan:=/']
         for name, more in (('run_recorder', of_python), ('bag_player.py', of_python), ('watch_exploration.py', []), ('simulator', []), ('check_robot', [])):
             program = BUILD / 'devel/lib/frontier_pilot' / name
             for word in ['__master:=nowhere', '__master:=http://', '__master:='] + more:

@@ -27,8 +27,8 @@ struct RecoveryInputs {
   const std::deque<Pose2>* track = nullptr;
   bool can_turn = true;                    ///< whether the map leaves room to turn right round where the robot is
   std::function<bool()> path_exists = {};  ///< whether the planner finds a path from there; takes milliseconds
-  /// Whether the map, with the live obstacles, leaves room at a pose, or as much as where the robot is, and the robot
-  /// stays there on its own side of whatever may move [MUL-3]; empty if there is no map. Valid in this tick only.
+  /// Whether a pose keeps off the map and the live obstacles, at least as well as where the recovery began, and lies on
+  /// the robot's own side of whatever may move [MUL-3]; empty if there is no map. Valid in this tick only.
   HasRoom has_room = {};
 };
 

@@ -16,8 +16,8 @@ namespace frontier_pilot::system {
 /// does not fit the map. A disc may always turn. What the functions in `in` refer to must outlive the returned one.
 behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline);
 
-/// The goal, shortened in eighths until it is free, but not below a quarter: a robot that is not a disc may have room
-/// for a part of the motion only, and that may be enough. A disc's goal is unchanged.
+/// The goal, shortened in eighths until it is free, but not below a quarter: there may be room for a part of the motion
+/// only, and that may be enough.
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
                                   const Outline& outline);
 

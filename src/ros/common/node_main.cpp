@@ -167,9 +167,7 @@ void initNode(int& argc, char** argv, const std::string& name) {
   refuseAnEmptyRemapping(words);
   try {
     ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
-  } catch (const ros::InvalidNodeNameException& error) {
-    throw ConfigurationError(error.what());
-  } catch (const ros::InvalidNameException& error) {  // of the namespace, or of a remapping
+  } catch (const ros::Exception& error) {  // a word, or ROS_NAMESPACE, is no name, or a port is no number
     throw ConfigurationError(error.what());
   }
 }

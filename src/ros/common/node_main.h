@@ -18,9 +18,9 @@ struct RunningNode {
   std::function<void()> say_last_words;
 };
 
-/// ros::init() without its handler of signals. Throws ConfigurationError if a word of the command line or
-/// ROS_MASTER_URI is no name or address, and std::runtime_error if the process may open hardly any file; roscpp would
-/// end the process with a trap.
+/// ros::init() without its handler of signals. Throws ConfigurationError if a word of the command line,
+/// ROS_MASTER_URI or ROS_NAMESPACE is no name or address, and std::runtime_error if the process may open hardly any
+/// file; roscpp would end the process with a trap.
 void initNode(int& argc, char** argv, const std::string& name);
 /// The same for a program that has to report a missing master: for each parameter that the command line sets
 /// (`_NAME:=VALUE`) it waits for a master for two seconds, where roscpp would wait for ever.

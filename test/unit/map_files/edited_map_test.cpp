@@ -138,6 +138,22 @@ TEST_F(EditedMap, SaysHowItsPictureIsLoadedAloneIfItsOctreeIsMissing) {
   EXPECT_EQ(atWall(), kOccupied);
 }
 
+TEST_F(EditedMap, IsLoadedFromItsOwnPictureAloneAlsoAfterItWasRenamed_MAP_5) {
+  for (const char* extension : {".pgm", ".yaml"}) fs::rename(path("floor") + extension, path("monday") + extension);
+  write("floor.pgm", withoutWall("monday.pgm"));
+  const std::string yaml = read("monday.yaml");
+  write("monday.yaml", yaml.substr(0, yaml.find("octree:")) + yaml.substr(yaml.find("picture:")));
+  ASSERT_TRUE(map_files::loadMap(path("monday"), loaded).ok());
+  EXPECT_EQ(atWall(), kOccupied);
+}
+
+// A way out that does not lead out is worse than none.
+TEST_F(EditedMap, IsNotSaidToBeLoadedFromItsPictureWhereThatCannotBeRead_MAP_5) {
+  fs::remove(path("floor.bt"));
+  fs::remove(path("floor.pgm"));
+  EXPECT_EQ(load().text, path("floor.bt") + ": no such file");
+}
+
 TEST_F(EditedMap, CountsAsSavedWhenItIsSavedAgain) {
   write("floor.pgm", withoutWall());
   ASSERT_TRUE(load().ok());

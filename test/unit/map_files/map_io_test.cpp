@@ -267,7 +267,7 @@ TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
   EXPECT_EQ(map_files::loadMap(path("coarse"), map).status, map_files::MapIoStatus::kBroken);
   EXPECT_TRUE(map.grid().cells() == before);
   const std::string text = map_files::loadMap(path("coarse"), map).text;
-  EXPECT_NE(text.find("cells are of 0.1 m, those of this map of 0.05 m"), std::string::npos) << text;
+  EXPECT_NE(text.find("cells are 0.1 m wide, those of the mapper's map 0.05 m"), std::string::npos) << text;
   EXPECT_NE(text.find("remove the entry 'octree' from " + path("coarse.yaml")), std::string::npos) << text;
 }
 

@@ -219,7 +219,7 @@ TEST_F(LostMapper, TakesOverNothingFromASearchThatDidNotFindTheRobot_MAP_5) {
   EXPECT_FALSE(mapper.locate(search));
 }
 
-TEST(WholeMapSearch, SaysWhatCameOfItAndWhatToDo) {
+TEST(WholeMapSearch, SaysWhatCameOfIt) {
   using localization::SearchVerdict;
   localization::WholeMapSearch search;
   search.best.T_map_base = {1.0, 2.0, 0.0};

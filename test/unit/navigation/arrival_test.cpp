@@ -191,6 +191,51 @@ TEST(Recoveries, DoNotComeNearerStepByStepToAWallThatOnlyTheMapShows_NAV_3_NAV_4
   EXPECT_EQ(robot.contacts(), 0);
 }
 
+// [NAV-3] [MUL-3] It could be a robot that backs up as well.
+TEST(Recoveries, KeepToTheirSideOfTheMiddleToWhatStandsWhereTheMapShowsFreeFloor_NAV_3_MUL_3) {
+  DrivenRobot robot(room(), {4.0, 1.5, 0.0});
+  ASSERT_EQ(robot.simulator().spawnObstacle("crate", {3.2, 1.5, 0.0}, 0.25), sim::Placement::kDone);
+  std::optional<bool> before_the_middle, beyond_the_middle;
+  const auto look = [&](const navigation::RecoveryInputs& in, Time) {
+    before_the_middle = in.has_room(in.T_map_base * Pose2(-0.12, 0.0, 0.0));
+    beyond_the_middle = in.has_room(in.T_map_base * Pose2(-0.22, 0.0, 0.0));
+    return navigation::RecoveryStep{{}, true};
+  };
+  robot.navigator().setParameters({}, {{"looking", false, [&] { return look; }}});
+  robot.held = true;
+  robot.send({5.0, 1.5});
+  robot.runUntilFinished(60.0);
+  ASSERT_TRUE(before_the_middle);
+  EXPECT_TRUE(*before_the_middle);
+  EXPECT_FALSE(*beyond_the_middle);
+}
+
+// [NAV-3] [MUL-3]
+TEST(Recoveries, BackUpAsFarAsThereIsRoomBeforeACrateBehind_NAV_3_MUL_3) {
+  for (const char* kind : {"burger", "turtlebot2", "waffle"}) {
+    navigation::NavigatorParams params;
+    params.robot = test::shippedRobot(kind);
+    const double rear = params.robot.drivenOutline().rear();
+    OccupancyGrid world = room(), map = room();
+    drawWall(world, 64, false);
+    drawWall(map, 64, true);
+    DrivenRobot robot(world, {2.6, 1.55, 0.0}, params);
+    robot.navigator().setMap(map, map.geometry().rect());
+    ASSERT_EQ(robot.simulator().spawnObstacle("crate", {2.6 - rear - 0.25 - 0.2, 1.55, 0.0}, 0.2),
+              sim::Placement::kDone);
+    robot.send({5.0, 1.55});
+    while (robot.recoveries.count("backing up") == 0) robot.tick();
+    const Vec2 before = robot.pose().position();
+    double backed = 0.0;
+    while (robot.output().recovery == "backing up") {
+      robot.tick();
+      backed = std::max(backed, (robot.pose().position() - before).norm());
+    }
+    EXPECT_GT(backed, 0.04) << kind;
+    EXPECT_EQ(robot.contacts(), 0) << kind;
+  }
+}
+
 // [NAV-3] [MUL-3] Teammates that pass do not change that the way is blocked by a thing.
 TEST(Recoveries, AreNotBegunAnewByOrdersToHold_NAV_3_MUL_3) {
   OccupancyGrid world = room(), map = room();

@@ -83,24 +83,5 @@ TEST(Detours, LeadAlongBoxesThatTheMapLacks_NAV_1_MUL_3) {
   }
 }
 
-// [NAV-3] [MUL-3] It could be a robot that backs up as well.
-TEST(Recoveries, KeepHalfOfTheWayToWhatStandsWhereTheMapShowsFreeFloor_NAV_3_MUL_3) {
-  DrivenRobot robot(hall(Vec2::Zero()), {4.0, 2.0, 0.0});
-  ASSERT_EQ(robot.simulator().spawnObstacle("crate", {3.2, 2.0, 0.0}, 0.25), sim::Placement::kDone);
-  std::optional<bool> near_by, beyond_the_middle;
-  const auto look = [&](const navigation::RecoveryInputs& in, Time) {
-    near_by = in.has_room(in.T_map_base * Pose2(-0.12, 0.0, 0.0));
-    beyond_the_middle = in.has_room(in.T_map_base * Pose2(-0.22, 0.0, 0.0));
-    return navigation::RecoveryStep{{}, true};
-  };
-  robot.navigator().setParameters({}, {{"looking", false, [&] { return look; }}});
-  robot.held = true;
-  robot.send({7.0, 2.0});
-  robot.runUntilFinished(60.0);
-  ASSERT_TRUE(near_by);
-  EXPECT_TRUE(*near_by);
-  EXPECT_FALSE(*beyond_the_middle);
-}
-
 }  // namespace
 }  // namespace frontier_pilot

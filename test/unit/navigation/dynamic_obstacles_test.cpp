@@ -171,6 +171,25 @@ TEST_F(DynamicObstaclesTest, ThePartOfAThingThatIsBesideAWallCountsAsWell_MUL_3)
   EXPECT_NEAR((seen[0].nearest - Vec2(4.82, 3.0)).norm(), 0.0, 0.02) << seen[0].nearest.transpose();
 }
 
+// [MUL-3] A wall is seen a little before where the map shows it.
+TEST_F(DynamicObstaclesTest, AWallBesideAThingIsNoPartOfIt_MUL_3) {
+  T_map_base = {3.0, 3.0, 0.0};
+  OccupancyGrid hall = hallWithAWall();
+  for (int y = 0; y < 160; ++y) hall[Cell{78, y}] = kOccupied;  // from x = 3.9 m
+  for (int y = 55; y < 160; ++y) hall[Cell{78, y}] = kFree;     // with an opening above y = 2.75 m
+  map = test::clearanceOf(hall);
+  const auto range = [&](const Vec2& from, const Vec2& beam) {
+    const double to_wall = beam.x() > 0.0 ? (3.87 - from.x()) / beam.x() : std::numeric_limits<double>::infinity();
+    const bool meets = std::isfinite(to_wall) && from.y() + to_wall * beam.y() < 2.75;
+    return std::min(rangeOfDisc(Vec2(4.2, 3.0) - from, beam),
+                    meets ? to_wall : std::numeric_limits<double>::infinity());
+  };
+  things.update(scanBy(range, T_map_base, now), T_map_base, map);
+  now += kPeriod;
+  ASSERT_EQ(after(0.0).size(), 1U);
+  EXPECT_NEAR((after(0.0)[0].nearest - Vec2(4.02, 3.0)).norm(), 0.0, 0.02) << after(0.0)[0].nearest.transpose();
+}
+
 // [MUL-3] The first beam is straight ahead.
 TEST_F(DynamicObstaclesTest, AThingAheadIsOneAlthoughItIsAtBothEndsOfTheScan_MUL_3) {
   T_map_base = {3.0, 3.0, 0.0};

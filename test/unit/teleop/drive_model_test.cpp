@@ -220,8 +220,8 @@ TEST(DriveModel, ALockSaysWhyTheButtonsHaveNoEffect) {
   EXPECT_STREQ(toString(teleop::DriveLock::kEmergencyStop), "the emergency stop is latched");
 }
 
-// [GUI-4]
-TEST(DriveModel, ReleasingTheStopKeyLetsOtherKeysBeHeld) {
+// [GUI-4] A stop is not held, and there is no place to count it: a sanitizer reports it if it is counted.
+TEST(DriveModel, ReleasingTheStopKeyChangesNothing) {
   teleop::DriveModel drive(holdParameters());
   drive.press(teleop::Motion::kStop);
   drive.press(teleop::Motion::kGo);
