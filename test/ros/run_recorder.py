@@ -161,7 +161,7 @@ class RunRecorder(unittest.TestCase):
         return any(name == '/run_recorder' and words in text for name, text in self.log)
 
     def test_without_a_home_for_its_own_log_it_says_on_the_terminal_why_nothing_is_recorded(self):
-        process = self.start({'ROS_HOME': '/proc/none', 'ROS_LOG_DIR': '/proc/none/log'}, folder='')
+        process = self.start({'ROS_HOME': '/proc/none', 'ROS_LOG_DIR': '/proc/none/log'}, folder='/proc/none/runs')
         self.assertTrue(wait_for(lambda: any('/proc/none' in text for _, text in self.said), 60.0), self.said)
         process.send_signal(signal.SIGINT)
         self.assertIn('nothing is recorded: /proc/none', process.communicate(timeout=30)[0])

@@ -92,7 +92,6 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.start = std::exchange(start_, false);
   inputs.map_available = map_.ready() && map_.published();
   inputs.navigation_available = navigation_.available();
-  inputs.localized = localization_.isLocalized();
   inputs.others_goal = navigation_.servesOthers();
   inputs.odometry_stamp = odometry_stamp_;
   inputs.battery = battery();
@@ -104,6 +103,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
     const auto pose = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
     if (pose) inputs.T_map_base = StampedPose2{when, *pose};
   }
+  inputs.localized = localization_.isLocalizedAt(inputs.T_map_base);
   return inputs;
 }
 

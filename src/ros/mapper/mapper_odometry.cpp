@@ -65,8 +65,12 @@ void MapperAdapter::noteOdometryReset() {
   broadcast();
 }
 
+void MapperAdapter::publishLocalized() {
+  publisher_.publishLocalized(mapper_.isLocalized(), fromSeconds(parameters_.tf_lead + parameters_.tf_period));
+}
+
 void MapperAdapter::broadcast() {
-  publisher_.publishLocalized(mapper_.isLocalized());
+  publishLocalized();
   // Where odometry is in the map that is kept is not known before it comes: it may have been reset as well. [FLT-2]
   if (restored_) return;
   const auto now = connections_.clock().now();

@@ -63,7 +63,12 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
   if (schedule_.isDue(map.geometry().size(), now)) publishWhole(map, now);
 }
 
-void MapperPublisher::publishLocalized(bool localized) {
+void MapperPublisher::publishLocalized(bool localized, Duration lead) {
+  const Time ros_now = rosNow();
+  if (!localized || (found_at_ && ros_now < *found_at_)) found_at_.reset();
+  if (localized && !found_at_) found_at_ = ros_now;
+  const bool was_lost = said_localized_ == std::optional<bool>(false);
+  if (localized && was_lost) localized = ros_now - *found_at_ > lead;
   const SteadyTime now = steadyNow();
   if (said_localized_ == localized && now - said_at_ < std::chrono::seconds(1)) return;
   said_localized_ = localized;

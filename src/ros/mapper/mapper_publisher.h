@@ -29,8 +29,9 @@ class MapperPublisher {
 
   void publish(mapping::Mapper& mapper, Time now);
   /// Publishes on `mapper/localized` whether the robot is localised: when that has changed, and once a second, so that
-  /// what somebody else has said there does not stay. [MAP-5]
-  void publishLocalized(bool localized);
+  /// what somebody else has said there does not stay. That the robot was found is said when its transform holds, which
+  /// is stamped ahead by `lead`: until then others look up where it was believed before. [MAP-5]
+  void publishLocalized(bool localized, Duration lead);
 
  private:
   void advertise();
@@ -49,6 +50,7 @@ class MapperPublisher {
   ros::Publisher metadata_;
   MapChangesPublisher compact_;
   ros::Publisher localized_;
+  std::optional<Time> found_at_;  ///< ROS time since which the robot has been localised
   std::optional<bool> said_localized_;
   SteadyTime said_at_;
 };

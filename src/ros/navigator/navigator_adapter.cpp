@@ -96,7 +96,7 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   inputs.pose = pose();
   inputs.scan = scan_ ? &*scan_ : nullptr;
   inputs.map_alive = map_.published() || !parameters_.map_must_live;
-  inputs.localized = localization_.isLocalized();
+  inputs.localized = localization_.isLocalizedAt(inputs.pose);
   inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
   server_.fill(inputs);
   inputs.order = motions_.order(navigator_, inputs.pose, server_.goal(), map_.map(), now);

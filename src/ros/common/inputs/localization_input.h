@@ -2,8 +2,10 @@
 
 #include <ros/subscriber.h>
 
-#include <string>
+#include <optional>
 
+#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/core/time.h"
 #include "ros/common/node_connections.h"
 
 namespace frontier_pilot {
@@ -15,11 +17,16 @@ class LocalizationInput {
   /// The node also waits for it. `connections` must outlive this.
   void subscribe(NodeConnections& connections);
   bool isLocalized() const;
+  /// Whether that holds for `pose`, the latest that is known: not if it is of before the robot was found.
+  bool isLocalizedAt(const std::optional<StampedPose2>& pose) const;
 
  private:
+  void take(bool localized);
+
   const NodeConnections* connections_ = nullptr;
   ros::Subscriber subscriber_;
-  bool localized_ = true;  ///< as it was said last
+  bool localized_ = true;         ///< as it was said last
+  std::optional<Time> found_at_;  ///< when it was said after the robot had not been localised
 };
 
 }  // namespace frontier_pilot
