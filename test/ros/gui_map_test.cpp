@@ -1,6 +1,8 @@
 // The map in the operator's window, against a live mapper and navigation of a simulated robot.
 
 #include <gtest/gtest.h>
+#include <ros/node_handle.h>
+#include <std_msgs/Bool.h>
 
 #include <QApplication>
 #include <QFileDialog>
@@ -122,6 +124,18 @@ TEST_F(MapOnTheWire, ReturnsToTheOriginAndSavesAndLoadsTheMap) {
   window_.click("map_load");
   choose((folder.path() / "nothing.yaml").string());
   EXPECT_TRUE(waitFor([&] { return message().contains("nothing"); })) << message().toStdString();
+}
+
+// [MAP-5] Somebody says so for the mapper, which says once a second that it is not so.
+TEST_F(MapOnTheWire, SaysThatTheRobotIsNotFoundOnTheMap_MAP_5) {
+  ros::NodeHandle node;
+  const ros::Publisher localized = node.advertise<std_msgs::Bool>("mapper/localized", 1);
+  const auto says = [&](const char* words) { return picture().scene().problem.find(words) != std::string::npos; };
+  EXPECT_TRUE(waitFor([&] {
+    localized.publish(std_msgs::Bool());
+    return says("The robot is not found on the map: give a pose in rviz, or call /mapper/localize.");
+  }));
+  EXPECT_TRUE(waitFor([&] { return !says("not found on the map"); }));
 }
 
 }  // namespace

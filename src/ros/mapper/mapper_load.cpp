@@ -1,5 +1,6 @@
 #include <Eigen/Core>
 #include <array>
+#include <filesystem>
 #include <iomanip>
 #include <optional>
 #include <utility>
@@ -55,7 +56,9 @@ map_files::MapIoResult MapperAdapter::load(const std::string& path) {
 }
 
 bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& response) {
-  const map_files::MapIoResult result = load(request.path);
+  // So that an answer names the folder that a relative path begins in.
+  const std::string path = request.path.empty() ? "" : std::filesystem::absolute(request.path).string();
+  const map_files::MapIoResult result = load(path);
   response.success = static_cast<std::uint8_t>(result.ok());
   response.message = result.text;
   if (result.ok()) {

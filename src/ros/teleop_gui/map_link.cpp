@@ -48,6 +48,7 @@ MapLink::MapLink(const ros::NodeHandle& node, const TfBridge& tf, std::string ba
       connections_(node_, kMasterPeriod),
       spinner_(1, &queue_) {
   map_.subscribe(connections_, {}, {}, Need::kOptional);
+  localization_.subscribe(connections_);
   plan_subscriber_ = connections_.subscribe(names::kPlan, 1, &MapLink::handlePlan, this);
   goal_subscriber_ = connections_.subscribe(names::kNavigatorProgress, 1, &MapLink::handleProgress, this);
   frontiers_subscriber_ = connections_.subscribe(names::kFrontiers, 1, &MapLink::handleMarkers, this);
@@ -136,6 +137,9 @@ teleop::MapScene MapLink::scene() const {
   if (!scene.T_map_base)
     scene.problem =
         "Where the robot is on the map is not known: no transform from '" + scene.frame + "' to '" + base_frame_ + "'.";
+  if (!localization_.isLocalized())
+    scene.problem =
+        "The robot is not found on the map: give a pose in rviz, or call " + node_.resolveName(names::kLocalize) + ".";
   if (!map_.published()) scene.problem = "The map is no longer updated: its publisher is gone.";
   return scene;
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "ros/common/inputs/localization_input.h"
 #include "ros/common/messages/map_mirror.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
@@ -61,6 +62,7 @@ class MapLink {
   const std::string base_frame_;
   ros::CallbackQueue queue_;  ///< before all subscriptions, which are taken from it when they end
   ros::NodeHandle node_;
+  LocalizationInput localization_;
   MapMirror map_;  ///< this and what follows up to the mutex are used by the thread of the topics alone
   Places plan_, frontiers_;
   std::optional<Pose2> goal_;
