@@ -26,6 +26,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts 
 import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with, say  # noqa: E402
 from run_recording.topics import TOPICS  # noqa: E402
+from run_report.progress import Counts  # noqa: E402
 from saved_maps import free_prefix, save_map  # noqa: E402
 
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
@@ -72,6 +73,7 @@ class Watcher:
     def __init__(self, period):
         self.period = period  # of the progress lines, in seconds of wall time
         self.status = None
+        self.counts = Counts()  # an explorer that died counts anew
         self.started = None  # when the first goal was sent, in simulated time
         self.printed = 0.0
         self.heard = time.monotonic()  # when the explorer was last heard, by the steady clock; until then when this began
@@ -81,6 +83,8 @@ class Watcher:
         if self.started is None and status.goals_sent > 0:
             self.started = status.header.stamp.to_sec()
         self.heard = time.monotonic()
+        for name, count in self.counts.take(status).items():
+            setattr(status, name, count)
         self.status = status
 
     def silence(self):

@@ -14,6 +14,8 @@ class Load:
 
     def __init__(self):
         self.nodes = {}
+        self.pids = {}
+        self.restarts = []  # (time [s], node) of those that went on as another process
         self.wall = []  # (time [s], real time [s since the epoch], number) of the messages
 
     def take(self, time, message):
@@ -21,6 +23,9 @@ class Load:
             raise ValueError('they have times that cannot be')
         self.wall.append((time, message.wall_time, message.header.seq))
         for process in message.processes:
+            if self.pids.setdefault(process.node, process.pid) != process.pid:
+                self.restarts.append((time, process.node))
+            self.pids[process.node] = process.pid
             self.nodes.setdefault(process.node, []).append((time, process.cpu, process.memory))
 
     def was_set_back(self):

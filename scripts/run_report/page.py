@@ -68,7 +68,7 @@ def summary_section(run):
         for name, label, value, text in summary.tiles(run))
     items = ''.join('<li>%s %s</li>' % (badge(level), escape(text)) for level, text in summary.to_look_at(run)[:MOST_ROWS])
     look = '<h3>Worth a look</h3><ul class="look">%s</ul>' % items if items else \
-        '<p class="fine">Nothing went wrong: no stop, no contact, no error in the diagnostics.</p>'
+        '<p class="fine">Nothing went wrong: no stop, no contact, no error in the diagnostics, and no node that had to be started again.</p>'
     return '<section id="summary"><p class="lead">%s</p><div class="tiles">%s</div>%s</section>\n' % (escape(words), tiles, look)
 
 

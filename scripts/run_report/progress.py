@@ -10,6 +10,23 @@ class Progress(collections.namedtuple('Progress', 'state state_text reason_text 
     """The fields of one status that a page shows, but for its frontiers."""
 
 
+class Counts:
+    """What the explorer counts from its start, over a run in which it may have been started again or reset."""
+    NAMES = ('goals_sent', 'goals_reached', 'goals_failed', 'distance_travelled')
+
+    def __init__(self):
+        self.before = dict.fromkeys(self.NAMES, 0)  # of the earlier starts
+        self.last = dict.fromkeys(self.NAMES, 0)
+
+    def take(self, status):
+        """The figures of the whole run by name, with those of this status, which is the latest one."""
+        now = {name: getattr(status, name) for name in self.NAMES}
+        if now['goals_sent'] < self.last['goals_sent'] or now['distance_travelled'] < self.last['distance_travelled']:
+            self.before = {name: self.before[name] + self.last[name] for name in self.NAMES}
+        self.last = now
+        return {name: self.before[name] + now[name] for name in self.NAMES}
+
+
 def progress_of(status):
     """Raises ValueError if a figure cannot be, and AttributeError if one is missing."""
     progress = Progress(*(getattr(status, name) for name in Progress._fields))

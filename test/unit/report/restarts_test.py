@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""What a report says of nodes that died during the run and were started again. [REC-1]"""
+import unittest
+from types import SimpleNamespace
+
+from frontier_pilot.msg import ProcessLoad, ProcessLoads
+
+from folder_case import FolderCase
+import synthetic_bag
+from run_report import summary
+from run_report.bag_files import BagFiles
+from run_report.load import Load
+from run_report.progress import Counts
+from run_report.run import Run
+
+
+def status(sent, distance, reached=0, failed=0):
+    return SimpleNamespace(goals_sent=sent, goals_reached=reached, goals_failed=failed, distance_travelled=distance)
+
+
+class AnExplorerThatWasStartedAgain(unittest.TestCase):
+    def test_counts_of_before_are_added_to_those_of_now(self):
+        counts = Counts()
+        for one in (status(1, 0.5), status(4, 6.5, reached=1), status(0, 0.0), status(2, 1.5, failed=1), status(0, 0.0)):
+            whole = counts.take(one)
+        self.assertEqual(whole, {'goals_sent': 6, 'goals_reached': 1, 'goals_failed': 1, 'distance_travelled': 8.0})
+
+    def test_counts_of_one_that_was_not_are_its_own(self):
+        counts = Counts()
+        counts.take(status(1, 0.5))
+        self.assertEqual(counts.take(status(1, 2.5))['distance_travelled'], 2.5)
+
+
+class ANodeThatDied(FolderCase):
+    def test_is_known_by_its_next_process(self):
+        load = Load()
+        for time, pid in ((1.0, 7), (2.0, 7), (3.0, 9), (4.0, 9)):
+            load.take(time, ProcessLoads(wall_time=1.7e9 + time, processes=[ProcessLoad('/mapper', pid, 0.1, 5)]))
+        self.assertEqual(load.restarts, [(3.0, '/mapper')])
+
+    def test_is_worth_a_look(self):
+        path = self.path('run_0.bag')
+        synthetic_bag.write(path)
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        before = summary.to_look_at(run)
+        run.load.restarts.append((run.begin + 3.0, '/mapper'))
+        self.assertEqual([item for item in summary.to_look_at(run) if item not in before],
+                         [('ERROR', '/mapper ended, and went on as another process at 0:03.')])
+
+
+if __name__ == '__main__':
+    unittest.main()
