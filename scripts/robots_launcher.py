@@ -31,6 +31,7 @@ from robots_rviz import view_of, write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 OF_THE_WORLD = ('world', 'gui', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
+OF_AN_ENTRY = ('name', 'x', 'y', 'yaw', 'robot')  # of a list of robots
 OF_A_ROBOT = ('explore', 'limits', 'map_file', 'localize_only')
 MARK = 'FRONTIER_PILOT_ROBOTS'  # in the environment of all that is started here
 PATIENCE = (8.0, 2.0)  # for a node to end on SIGINT, and on SIGTERM [s]: together less than roslaunch gives to this program
@@ -64,6 +65,9 @@ def listed_robots(path, kind):
                    'robot': text_of(entry.get('robot') or kind)} for entry in listed['robots']]
     except (AttributeError, KeyError, TypeError, ValueError, OverflowError) as error:
         raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (path, error))
+    unknown = sorted({str(key) for entry in listed['robots'] for key in entry} - set(OF_AN_ENTRY))
+    if unknown:
+        raise StartsError('robots:=%s: a robot has %s, which is none of %s' % (path, unknown[0], ', '.join(OF_AN_ENTRY)))
     if not 1 <= len(robots) <= MOST_ROBOTS:
         raise StartsError('robots:=%s: the list has %d robots, it may have from 1 to %d' % (path, len(robots), MOST_ROBOTS))
     twice = [robot['name'] for robot in robots if [other['name'] for other in robots].count(robot['name']) > 1]

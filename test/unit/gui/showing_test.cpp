@@ -207,6 +207,9 @@ TEST_F(Showing, TheHintTellsWhetherTheSetPointWaitsOrIsDropped) {
   state_.arbiter->active_source = "nav";
   widget_->setState(state_);
   EXPECT_EQ(find("drive_hint")->toolTip(), "nav drives: the arrows have no effect.");
+  state_.arbiter->status_age = 60.0;
+  widget_->setState(state_);
+  EXPECT_EQ(find("drive_hint")->toolTip(), "Who drives is not known: the arrows have no effect.");
 }
 
 // [GUI-2]

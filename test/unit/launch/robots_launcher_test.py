@@ -49,11 +49,11 @@ class Arguments(unittest.TestCase):
 
 
 class Lists(unittest.TestCase):
-    def read(self, names):
+    def read(self, names, **more):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, 'robots.yaml')
             with open(path, 'w') as file:
-                yaml.safe_dump({'robots': [{'name': name, 'x': 0, 'y': 0} for name in names]}, file)
+                yaml.safe_dump({'robots': [dict(more, name=name, x=0, y=0) for name in names]}, file)
             return robots_launcher.listed_robots(path, 'burger')
 
     def test_a_list_has_no_more_robots_than_can_be_drawn(self):
@@ -67,6 +67,12 @@ class Lists(unittest.TestCase):
         """[FLT-1]"""
         with self.assertRaisesRegex(StartsError, 'two robots are called scout'):
             self.read(['scout', 'carrier', 'scout'])
+
+    def test_a_key_that_is_none_is_refused(self):
+        """A robot of another kind than was meant would drive with the wrong outline. [FLT-1]"""
+        self.assertEqual(self.read(['scout'], robot='waffle')[0]['robot'], 'waffle')
+        with self.assertRaisesRegex(StartsError, 'a robot has robt, which is none of name, x, y, yaw, robot'):
+            self.read(['scout'], robt='waffle')
 
 
 if __name__ == '__main__':
