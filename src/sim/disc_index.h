@@ -12,6 +12,8 @@ namespace frontier_pilot::sim {
 struct Disc {
   Vec2 centre = Vec2::Zero();  ///< [m], in the world's frame
   double radius = 0.0;         ///< [m]
+  /// As which a scanner inside of it sees it: the disc inside the outline of a robot, around which it is [m].
+  double inner = 0.0;
 };
 
 /// Discs in square bins: the cost of finding those near a point depends on what lies there, not on their total number.

@@ -23,6 +23,12 @@ double incrementOf(const ScannerModel& scanner) {
   return scanner.field_of_view / std::max(1, full_turn ? scanner.beams : scanner.beams - 1);
 }
 
+/// The disc as a scanner at `from` sees it.
+Disc seenFrom(const Vec2& from, const Disc& disc) {
+  const double away = (disc.centre - from).norm();
+  return away < disc.radius && away > disc.inner && disc.inner > 0.0 ? Disc{disc.centre, disc.inner} : disc;
+}
+
 }  // namespace
 
 Lidar::Lidar(const ScannerModel& scanner, const LidarNoise& noise)
@@ -48,7 +54,7 @@ void Lidar::scan(const Pose2& T_world_base, const grids::RayCaster& walls, const
   const Vec2 ahead = direction(T_world_sensor.yaw);
   discs.visitNear(from, scanner_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
     const Vec2 to = disc.centre - from;
-    if (id != own) meetDisc({ahead.dot(to), ahead.x() * to.y() - ahead.y() * to.x()}, disc.radius);
+    if (id != own) meetDisc({ahead.dot(to), ahead.x() * to.y() - ahead.y() * to.x()}, seenFrom(from, disc).radius);
   });
   describe(scan);
   for (std::size_t i = 0; i < ranges_.size(); ++i) scan.ranges[i] = reading(ranges_[i], random);
@@ -78,7 +84,7 @@ void Lidar::measure(const Sweep& sweep, const grids::RayCaster& walls, const Dis
     high = high.cwiseMax(end).cwiseMax(swept_from_[i]);
   }
   discs.visitIn(low, high, [&](DiscIndex::Id id, const Disc& disc) {
-    if (id != own) meetMoving(disc);
+    if (id != own) meetMoving(seenFrom(swept_from_.front(), disc));
   });
   for (std::size_t i = 0; i < swept_ranges_.size(); ++i)
     scan.ranges[beamOf(sweep.first + i)] = reading(swept_ranges_[i], random);

@@ -91,7 +91,7 @@ void Simulator::Impl::addRobot(const RobotSpec& spec, const SimulatorParameters&
     throw std::runtime_error(cannotStart(quoted(spec.name), kind.footprint, start, placement, scene, world.map));
   const auto seed = static_cast<std::uint64_t>(parameters.seed);
   const std::uint64_t stream = robots.size() * kNoiseStreams;
-  const DiscIndex::Id disc = scene.addRobot(kind.footprint, start.position());
+  const DiscIndex::Id disc = scene.addRobot(kind.footprint, start);
   robots.push_back({spec.name, index, start, start, start,
                     DiffDrive(kind.model.limits, fromSeconds(kind.model.watchdog)),
                     Odometry(parameters.odometry, parameters.odom_noise, Random(seed, stream + kOdometryNoise)),
@@ -115,7 +115,7 @@ void Simulator::Impl::drive(SimulatedRobot& robot) {
 
 void Simulator::Impl::put(SimulatedRobot& robot, const Pose2& pose) {
   robot.pose = pose;
-  scene.move(robot.disc, pose.position());
+  scene.moveRobot(robot.disc, pose);
 }
 
 Placement Simulator::Impl::placeable(const Footprint& footprint, const Pose2& pose,

@@ -25,15 +25,22 @@ Footprint::Footprint(const Outline& given) : outline(given), touching(given.padd
 CollisionScene::CollisionScene(const GridGeometry& world, const Grid<std::uint8_t>& solid, double greatest_radius)
     : walls_(solid, greatest_radius), discs_(world) {}
 
-DiscIndex::Id CollisionScene::addRobot(const Footprint& robot, const Vec2& centre) {
-  const DiscIndex::Id id = addObstacle({centre, robot.radius()});
-  is_robot_[id] = true;
+DiscIndex::Id CollisionScene::addRobot(const Footprint& robot, const Pose2& pose) {
+  const DiscIndex::Id id = addObstacle({pose.position(), robot.radius(), robot.outline.inscribedRadius()});
+  bodies_[id].emplace(Body{&robot.outline, PlacedOutline(robot.outline, pose)});
   return id;
+}
+
+void CollisionScene::moveRobot(DiscIndex::Id id, const Pose2& pose) {
+  const Outline& outline = *bodies_[id]->outline;
+  bodies_[id].emplace(Body{&outline, PlacedOutline(outline, pose)});
+  discs_.move(id, pose.position());
 }
 
 DiscIndex::Id CollisionScene::addObstacle(const Disc& disc) {
   const DiscIndex::Id id = discs_.add(disc);
-  is_robot_.resize(std::max<std::size_t>(is_robot_.size(), id + 1U), false);
+  if (bodies_.size() <= id) bodies_.resize(id + 1U);
+  bodies_[id].reset();
   return id;
 }
 
@@ -43,7 +50,7 @@ Obstruction CollisionScene::at(const Footprint& robot, const Pose2& pose, std::o
   Obstruction obstruction = Obstruction::kNone;
   discs_.visitNear(pose.position(), robot.radius(), [&](DiscIndex::Id id, const Disc&) {
     if (id == own || !overlaps(placed, id)) return;
-    obstruction = is_robot_[id] ? Obstruction::kRobot : Obstruction::kObstacle;
+    obstruction = bodies_[id] ? Obstruction::kRobot : Obstruction::kObstacle;
   });
   return obstruction;
 }
@@ -109,7 +116,7 @@ bool CollisionScene::overlapsAnything(const PlacedOutline& placed, DiscIndex::Id
 }
 
 bool CollisionScene::overlaps(const PlacedOutline& placed, DiscIndex::Id id) const {
-  return is_robot_[id] ? placed.overlapsDiscAllAround(discs_[id]) : placed.overlapsDisc(discs_[id]);
+  return bodies_[id] ? placed.overlaps(bodies_[id]->placed) : placed.overlapsDisc(discs_[id]);
 }
 
 }  // namespace frontier_pilot::sim

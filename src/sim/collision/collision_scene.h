@@ -32,20 +32,21 @@ struct Footprint {
   Outline touching;  ///< the outline, 1 mm larger on every side
 };
 
-/// Everything that robots can collide with: walls, obstacles and each other. For each other and for each other's
-/// scanners robots are the disc around their outline, so that two of them agree on whether they touch. [SIM-3]
+/// Everything that robots can collide with: walls, obstacles and each other, with the outlines of both. For each
+/// other's scanners robots are the disc around their outline. [SIM-3]
 class CollisionScene {
  public:
   /// `solid`: see solidCells. `world`: the area in which most discs lie. `greatest_radius` [m]: of all robots.
   CollisionScene(const GridGeometry& world, const Grid<std::uint8_t>& solid, double greatest_radius);
 
   const DiscIndex& discs() const { return discs_; }
-  DiscIndex::Id addRobot(const Footprint& robot, const Vec2& centre);
+  /// `robot` must outlive it.
+  DiscIndex::Id addRobot(const Footprint& robot, const Pose2& pose);
   DiscIndex::Id addObstacle(const Disc& disc);
-  void move(DiscIndex::Id id, const Vec2& centre) { discs_.move(id, centre); }
+  void moveRobot(DiscIndex::Id id, const Pose2& pose);
   void remove(DiscIndex::Id id) { discs_.remove(id); }
 
-  /// What a robot at `pose` would overlap, except for its own disc `own`.
+  /// What a robot at `pose` would overlap, except for the robot `own`.
   Obstruction at(const Footprint& robot, const Pose2& pose, std::optional<DiscIndex::Id> own) const;
   /// Whether a robot at `pose` would overlap the disc `id`, or an obstacle.
   bool overlaps(const Footprint& robot, const Pose2& pose, DiscIndex::Id id) const {
@@ -73,7 +74,12 @@ class CollisionScene {
 
   CollisionMap walls_;
   DiscIndex discs_;
-  std::vector<bool> is_robot_;  ///< by the disc's id
+  /// A robot at its pose.
+  struct Body {
+    const Outline* outline;
+    PlacedOutline placed;
+  };
+  std::vector<std::optional<Body>> bodies_;  ///< by the disc's id; none of an obstacle
 };
 
 }  // namespace frontier_pilot::sim

@@ -26,6 +26,27 @@ bool passesThroughSquare(const Vec2& a, const Vec2& b, double half) {
   return enters < leaves;
 }
 
+/// The least and the greatest coordinate of points along `axis`.
+Vec2 shadow(const std::vector<Vec2>& points, const Vec2& axis) {
+  Vec2 span = Vec2::Constant(axis.dot(points.front()));
+  for (const Vec2& point : points) {
+    span[0] = std::min(span[0], axis.dot(point));
+    span[1] = std::max(span[1], axis.dot(point));
+  }
+  return span;
+}
+
+/// Whether a line along a side of polygon `a` has `a` and `b` on different sides; it may touch both.
+bool isApart(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec2 side = a[(i + 1) % a.size()] - a[i];
+    const Vec2 axis(-side.y(), side.x());
+    const Vec2 of_a = shadow(a, axis), of_b = shadow(b, axis);
+    if (of_a[1] <= of_b[0] || of_b[1] <= of_a[0]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 PlacedOutline::PlacedOutline(const Outline& outline, const Pose2& T_world_base)
@@ -60,8 +81,14 @@ bool PlacedOutline::overlapsSquare(const Vec2& middle, double half) const {
 }
 
 bool PlacedOutline::overlapsDisc(const Disc& disc) const {
-  if (outline_.isDisc()) return overlapsDiscAllAround(disc);
+  if (outline_.isDisc()) return overlap(centre(), radius(), disc);
   return outline_.distance(T_world_base_.inverse() * disc.centre) < disc.radius;
+}
+
+bool PlacedOutline::overlaps(const PlacedOutline& other) const {
+  if (other.outline_.isDisc()) return overlapsDisc({other.centre(), other.radius()});
+  if (outline_.isDisc()) return other.overlapsDisc({centre(), radius()});
+  return !isApart(corners_, other.corners_) && !isApart(other.corners_, corners_);
 }
 
 }  // namespace frontier_pilot::sim

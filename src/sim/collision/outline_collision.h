@@ -29,8 +29,8 @@ class PlacedOutline {
   /// Whether it overlaps the axis-aligned square around `middle` with sides of 2 * `half`.
   bool overlapsSquare(const Vec2& middle, double half) const;
   bool overlapsDisc(const Disc& disc) const;
-  /// Whether the disc around the outline overlaps `disc`.
-  bool overlapsDiscAllAround(const Disc& disc) const { return overlap(centre(), radius(), disc); }
+  /// Exact if both are convex or one is a disc; otherwise notches may count as parts of the outlines.
+  bool overlaps(const PlacedOutline& other) const;
 
  private:
   const Outline& outline_;

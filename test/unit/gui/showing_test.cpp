@@ -201,15 +201,14 @@ TEST_F(Showing, ButtonsKeepTheirPlacesWhateverIsTold) {
 }
 
 TEST_F(Showing, TheHintTellsWhetherTheSetPointWaitsOrIsDropped) {
-  state_.arbiter->active_source = "avoid";
-  widget_->setState(state_);
-  EXPECT_EQ(find("drive_hint")->toolTip(), "avoid drives; your set-point waits.");
-  state_.arbiter->active_source = "nav";
-  widget_->setState(state_);
-  EXPECT_EQ(find("drive_hint")->toolTip(), "nav drives: the arrows have no effect.");
-  state_.arbiter->status_age = 60.0;
-  widget_->setState(state_);
-  EXPECT_EQ(find("drive_hint")->toolTip(), "Who drives is not known: the arrows have no effect.");
+  const auto hint = [&](const char* source, double age) {
+    state_.arbiter->active_source = source, state_.arbiter->status_age = age;
+    widget_->setState(state_);
+    return find("drive_hint")->toolTip();
+  };
+  EXPECT_EQ(hint("avoid", 0.0), "avoid drives; your set-point waits.");
+  EXPECT_EQ(hint("nav", 0.0), "nav drives: the arrows have no effect.");
+  EXPECT_EQ(hint("nav", 60.0), "Who drives is not known: the arrows have no effect.");
 }
 
 // [GUI-2]

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace frontier_pilot::sim {
@@ -43,7 +44,36 @@ TEST(PlacedOutlines, LeaveRoomInTheirNotches_SIM_3) {
   EXPECT_TRUE(placed.overlapsSquare({0.75, 0.75}, 0.2501));
   EXPECT_FALSE(placed.overlapsDisc({{0.75, 0.75}, 0.25}));
   EXPECT_TRUE(placed.overlapsDisc({{0.75, 0.75}, 0.2501}));
-  EXPECT_TRUE(placed.overlapsDiscAllAround({{0.75, 0.75}, 0.25})) << "the disc around it has no notch";
+}
+
+// [SIM-3]
+TEST(PlacedOutlines, TouchEachOtherWithoutOverlapping_SIM_3) {
+  const Outline outline = block();
+  const PlacedOutline placed(outline, {3.0, 5.0, 0.0});
+  const auto overlaps = [&](const Pose2& pose) {
+    const PlacedOutline other(outline, pose);
+    EXPECT_EQ(placed.overlaps(other), other.overlaps(placed));
+    return placed.overlaps(other);
+  };
+  EXPECT_FALSE(overlaps({5.0, 5.0, 0.0})) << "side to side";
+  EXPECT_TRUE(overlaps({5.0 - 1e-9, 5.0, 0.0}));
+  EXPECT_TRUE(overlaps({3.0, 5.0, 0.0})) << "one on the other";
+  EXPECT_FALSE(overlaps({5.0, 7.0, 0.0})) << "corner to corner";
+  EXPECT_TRUE(overlaps({4.9, 6.9, 0.0}));
+  EXPECT_FALSE(overlaps({4.0 + std::sqrt(2.0) + 1e-9, 5.0, 0.25 * kPi})) << "a corner at a side";
+  EXPECT_TRUE(overlaps({4.0 + std::sqrt(2.0) - 1e-9, 5.0, 0.25 * kPi}));
+  EXPECT_FALSE(overlaps({4.8, 6.8, 0.25 * kPi})) << "the discs around them overlap";
+}
+
+// [SIM-3]
+TEST(PlacedOutlines, OverlapDiscsOfRobotsExactly_SIM_3) {
+  const Outline outline = block(), round = Outline::disc(0.5);
+  const PlacedOutline placed(outline, {3.0, 5.0, 0.0}), touching(round, {4.5, 5.0, 1.0}),
+      beyond(round, {4.4, 6.4, 1.0});
+  EXPECT_FALSE(placed.overlaps(touching) || touching.overlaps(placed));
+  EXPECT_FALSE(placed.overlaps(beyond) || beyond.overlaps(placed)) << "beside the corner";
+  const PlacedOutline nearer(round, {4.49, 5.0, 1.0});
+  EXPECT_TRUE(placed.overlaps(nearer) && nearer.overlaps(placed) && nearer.overlaps(touching));
 }
 
 // [SIM-3] against points of the squares and discs, thousands of each

@@ -115,19 +115,30 @@ TEST(OutlinedRobots, StopTurningAtAnObstacle_SIM_3) {
   EXPECT_EQ(simulator.contactCount(0), 1);
 }
 
-// [SIM-2] [SIM-3] so that both agree on whether they touch
-TEST(OutlinedRobots, AreToEachOtherTheDiscAroundTheirOutline_SIM_3) {
+// [SIM-2] [SIM-3]
+TEST(OutlinedRobots, TouchEachOthersOutlinesAndSeeTheDiscAroundThem_SIM_2_SIM_3) {
   SimulatorParameters parameters = waffleAt(0.4, 0.5, 0.0);
   parameters.robots = {{"a", 0.4, 0.5, 0.0}, {"b", 1.0, 0.5, 0.0}};
   Simulator simulator(world(room()), parameters);
   while (simulator.newScan(0) == nullptr) simulator.step();
   EXPECT_NEAR(simulator.newScan(0)->ranges[0], 0.6 - waffleRadius(), 1e-6);
   drive(simulator, {0.2, 0.0}, 3.0, 0);
-  EXPECT_NEAR(simulator.pose(0).x, 1.0 - 2.0 * waffleRadius(), 1e-5);
+  const double nearest = 1.0 - kWaffleFront - kWaffleRear;
+  EXPECT_NEAR(simulator.pose(0).x, nearest, 1e-5);
   EXPECT_TRUE(simulator.stalled(0));
   drive(simulator, {0.0, 1.0}, 1.0, 1);
-  EXPECT_FALSE(simulator.stalled(1)) << "a turn changes nothing between them";
-  EXPECT_EQ(simulator.setPose("a", {1.0 - 2.0 * waffleRadius() + 0.01, 0.5, 0.0}), Placement::kOnRobot);
+  EXPECT_TRUE(simulator.stalled(1)) << "its corners swing out";
+  EXPECT_EQ(simulator.setPose("a", {nearest + 0.01, 0.5, 0.0}), Placement::kOnRobot);
+  EXPECT_EQ(simulator.setPose("a", {nearest - 0.01, 0.5, 0.0}), Placement::kDone);
+}
+
+// [SIM-2] With the scanner within the disc around the other robot.
+TEST(OutlinedRobots, AreSeenAlsoFromVeryNear_SIM_2) {
+  SimulatorParameters parameters = waffleAt(0.4, 0.5, 0.0);
+  parameters.robots = {{"a", 0.4, 0.5, 0.0}, {"b", 0.6, 0.5, kPi}};
+  Simulator simulator(world(room()), parameters);
+  while (simulator.newScan(0) == nullptr) simulator.step();
+  EXPECT_NEAR(simulator.newScan(0)->ranges[0], 0.2 - kWaffleFront, 1e-6);
 }
 
 // How deep the outline and the solid cells reach into each other at most [m]: points of the outline in the cells, and

@@ -55,12 +55,12 @@ TEST(RobotKinds, ScanWithTheirOwnScannersAtTheirOwnTimes_SIM_2) {
   EXPECT_EQ(large, 10);
 }
 
-// [SIM-3] each is stopped by the discs around both
+// [SIM-3] each is stopped by the outlines of both
 TEST(RobotKinds, CollideWithTheirOwnOutlines_SIM_3) {
   Simulator simulator(emptyRoom(), smallOneAndWaffle());
   drive(simulator, {0.2, 0.0}, 5.0, 1);
   EXPECT_TRUE(simulator.stalled(1));
-  EXPECT_NEAR(simulator.pose(0).x - simulator.pose(1).x, waffleRadius() + 0.105, 1e-5);
+  EXPECT_NEAR(simulator.pose(0).x - simulator.pose(1).x, kWaffleFront + 0.105, 1e-5);
   drive(simulator, {0.2, 0.0}, 5.0, 0);
   EXPECT_NEAR(simulator.pose(0).x, 2.0 - 0.105, 1e-5);
   drive(simulator, {0.26, 0.0}, 7.0, 1);
