@@ -42,6 +42,7 @@ NodeUsage teleopGuiUsage() {
                  port<AvoiderStatus>(names::kAvoiderStatus),
                  port<ExplorerStatus>(names::kExplorerStatus),
                  port<std_msgs::Bool>(names::kStalled),
+                 port<std_msgs::Bool>(names::kLocalized),
                  port<NavigatorProgress>(names::kNavigatorProgress),
                  port<nav_msgs::OccupancyGrid>(names::kMap),
                  port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
