@@ -46,6 +46,14 @@ def master(node):
     return patient
 
 
+def is_master_online(node):
+    """Whether a master answers within PATIENCE. rosgraph's own waits for ever for one that hangs, and swallows a Ctrl-C."""
+    try:
+        return bool(master(node).getPid())
+    except FAILURES:
+        return False
+
+
 def problem_of(word):
     """What is wrong with a word of the command line that is for ROS; empty if nothing is."""
     found = WORD.fullmatch(word)
@@ -109,7 +117,7 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
         sys.exit(2)
     interrupts = note_interrupts()
     say_at = time.monotonic() + silent_for
-    while wanted() and not rosgraph.is_master_online():
+    while wanted() and not is_master_online(name):
         if time.monotonic() >= say_at:
             say('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri), sys.stderr)
             say_at = math.inf

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Words of the command line that are for ROS, as the Python programs check them."""
+import contextlib
 import io
+import itertools
 import os
 import signal
 import socket
@@ -79,6 +81,13 @@ class HangingMasters(unittest.TestCase):
     # [FLT-1]
     def test_no_node_is_known_to_live(self):
         self.assertFalse(ros_program.lives('/test'))
+
+    # [FLT-1]
+    def test_a_program_that_waits_for_one_says_so_and_ends_when_it_is_not_wanted_any_more(self):
+        looks, said = itertools.chain((True, True), itertools.repeat(False)), io.StringIO()
+        with mock.patch.object(sys, 'argv', ['player']), mock.patch('ros_program.POLL', 0.0), contextlib.redirect_stderr(said):
+            self.assertFalse(ros_program.begin('player', wanted=lambda: next(looks)))
+        self.assertIn('player: no ROS master answers at http://127.0.0.1:', said.getvalue())
 
     # [FLT-1]
     def test_leaving_ros_is_not_waited_for_for_ever(self):
