@@ -67,7 +67,7 @@ class CommandLines(unittest.TestCase):
             node = BUILD / 'devel/lib/frontier_pilot' / name
             words = ['square'] if name == 'patrol_client' else []
             with self.subTest(program=name):
-                for word in ('__name:=9', '__ns:=9', 'scan:=9'):
+                for word in ('__name:=9', '__ns:=a b', 'scan:=9'):
                     code, _, err = call(node, *words, word)
                     self.assertEqual(code, 2, word)
                     self.assertRegex(err, '[Nn]ame')
