@@ -33,16 +33,25 @@ class ArbiterHandover(unittest.TestCase):
     def clear(self, namespace):
         return wait_for(lambda: call(namespace + '/set_emergency_stop', SetBool, False).success, 5.0)
 
+    def forget(self, namespace):
+        """The master knows nothing of the arbiter of this namespace, until that is registered again."""
+        name = namespace + '/cmd_vel_arbiter'
+        master = rosgraph.Master(name)
+        for service in ['emergency_stop', 'set_emergency_stop']:
+            master.unregisterService(namespace + '/' + service, master.lookupService(namespace + '/' + service))
+        master.unregisterPublisher(namespace + '/cmd_vel_arbiter/status', master.lookupNode(name))
+
     def two_at_once(self, namespace):
         """Two that live: while the second starts the master knows nothing of the first."""
         first, first_says = self.arbiter(namespace)
-        name = namespace + '/cmd_vel_arbiter'
-        master = rosgraph.Master(name)
-        uri = master.lookupNode(name)
-        for service in ['emergency_stop', 'set_emergency_stop']:
-            master.unregisterService(namespace + '/' + service, master.lookupService(namespace + '/' + service))
-        master.unregisterPublisher(namespace + '/cmd_vel_arbiter/status', uri)
-        second, second_says = self.arbiter(namespace, 'other')
+        for last in (False, False, True):
+            self.forget(namespace)
+            try:
+                second, second_says = self.arbiter(namespace, 'other')
+                break
+            except AssertionError:  # on a busy computer the first was registered again before the second had looked
+                if last:
+                    raise
         self.assertTrue(wait_for(lambda: first_says().state == ArbiterStatus.CONTESTED))
         self.assertTrue(wait_for(lambda: second_says().state == ArbiterStatus.CONTESTED))
         return first, first_says, second, second_says
