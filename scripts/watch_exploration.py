@@ -60,13 +60,6 @@ def goals_of(status):
     return '%d dropped on the way, %d reached, %d failed' % (max(0, dropped - under_way), status.goals_reached, status.goals_failed)
 
 
-def master_answers():
-    try:
-        return ros_program.master(rospy.get_name()).getPid() > 0
-    except ros_program.FAILURES:
-        return False
-
-
 class Watcher:
     """Keeps the explorer's latest status and prints it as progress lines."""
 
@@ -115,7 +108,8 @@ class Watcher:
         if self.silence() < SILENCE:
             return say('waiting for the explorer' if self.status is None else self.line())
         words = 'the explorer has not been heard for %.0f s' % self.silence()
-        return say(words if master_answers() else words + ': no ROS master answers at ' + rosgraph.get_master_uri())
+        master_answers = ros_program.is_master_online(rospy.get_name())
+        return say(words if master_answers else words + ': no ROS master answers at ' + rosgraph.get_master_uri())
 
 
 class Starter:

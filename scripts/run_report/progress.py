@@ -18,13 +18,17 @@ class Counts:
         self.before = dict.fromkeys(self.NAMES, 0)  # of the earlier starts
         self.last = dict.fromkeys(self.NAMES, 0)
 
+    def whole(self):
+        """The figures of the whole run by name."""
+        return {name: self.before[name] + self.last[name] for name in self.NAMES}
+
     def take(self, status):
-        """The figures of the whole run by name, with those of this status, which is the latest one."""
+        """The figures of the whole run with those of this status, which is the latest one."""
         now = {name: getattr(status, name) for name in self.NAMES}
         if now['goals_sent'] < self.last['goals_sent'] or now['distance_travelled'] < self.last['distance_travelled']:
-            self.before = {name: self.before[name] + self.last[name] for name in self.NAMES}
+            self.before = self.whole()
         self.last = now
-        return {name: self.before[name] + now[name] for name in self.NAMES}
+        return self.whole()
 
 
 def progress_of(status):

@@ -66,7 +66,7 @@ class Run:
         self.map, self.track = MapImage(), Track()
         self.goals, self.load, self.warnings = Goals(), Load(), Warnings()
         self.explorer = []  # (time, Progress)
-        self.explorer_counts, self.counts = Counts(), {}
+        self.counts = Counts()
         self.frontiers = []  # (x, y) of the last status [m]
         self.source, self.stop, self.contact = States(), States(), States()
         self.recovery, self.avoiding = States(), States()
@@ -190,7 +190,7 @@ class Run:
         self.frontiers = [(frontier.centroid.x, frontier.centroid.y) for frontier in status.frontiers]
         self.goals.take_status(time, progress)
         self.explorer.append((time, progress))
-        self.counts = self.explorer_counts.take(progress)
+        self.counts.take(progress)
 
     def _stalled(self, time, message):
         self.stalls_known = True
@@ -203,7 +203,7 @@ class Run:
 
     def status(self):
         """The Progress of the explorer's last status, with counts of the whole run; None if there is none."""
-        return self.explorer[-1][1]._replace(**self.counts) if self.explorer else None
+        return self.explorer[-1][1]._replace(**self.counts.whole()) if self.explorer else None
 
     def recoveries(self):
         """The spans (begin, end) in which the navigation recovered."""

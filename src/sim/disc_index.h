@@ -12,7 +12,8 @@ namespace frontier_pilot::sim {
 struct Disc {
   Vec2 centre = Vec2::Zero();  ///< [m], in the world's frame
   double radius = 0.0;         ///< [m]
-  /// As which a scanner inside of it sees it: the disc inside the outline of a robot, around which it is [m].
+  /// Radius of the disc inside the outline of a robot, as which a scanner within this one sees it; 0 for an obstacle
+  /// [m].
   double inner = 0.0;
 };
 

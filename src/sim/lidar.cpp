@@ -25,8 +25,9 @@ double incrementOf(const ScannerModel& scanner) {
 
 /// The disc as a scanner at `from` sees it.
 Disc seenFrom(const Vec2& from, const Disc& disc) {
-  const double away = (disc.centre - from).norm();
-  return away < disc.radius && away > disc.inner && disc.inner > 0.0 ? Disc{disc.centre, disc.inner} : disc;
+  const double square = (disc.centre - from).squaredNorm();
+  const bool is_within = square < disc.radius * disc.radius && square > disc.inner * disc.inner;
+  return is_within && disc.inner > 0.0 ? Disc{disc.centre, disc.inner} : disc;
 }
 
 }  // namespace

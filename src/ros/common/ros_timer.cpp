@@ -22,11 +22,8 @@ RosTimer::RosTimer(const ros::NodeHandle& node, Duration period, std::function<v
   ros::NodeHandle handle(node);
   poll_ = handle.createSteadyTimer(ros::WallDuration(kLongestWait), [this](const ros::SteadyTimerEvent&) { look(); });
   if (!ros::Time::isSimTime()) return;
-  const boost::function<void(const ros::MessageEvent<const rosgraph_msgs::Clock>&)> look_again = [this](const auto&) {
-    look();
-  };
-  ros::SubscribeOptions options =
-      checkedSubscription(names::kClock, 1, unreadable_, look_again, ros::TransportHints().tcpNoDelay());
+  ros::SubscribeOptions options = checkedSubscription<rosgraph_msgs::Clock>(
+      names::kClock, 1, unreadable_, [this](const auto&) { look(); }, ros::TransportHints().tcpNoDelay());
   clock_ = handle.subscribe(options);
 }
 

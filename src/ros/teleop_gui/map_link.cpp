@@ -48,7 +48,7 @@ MapLink::MapLink(const ros::NodeHandle& node, const TfBridge& tf, std::string ba
       connections_(node_, kMasterPeriod),
       spinner_(1, &queue_) {
   map_.subscribe(connections_, {}, {}, Need::kOptional);
-  localization_.subscribe(connections_);
+  localization_.subscribe(connections_, Need::kOptional);
   plan_subscriber_ = connections_.subscribe(names::kPlan, 1, &MapLink::handlePlan, this);
   goal_subscriber_ = connections_.subscribe(names::kNavigatorProgress, 1, &MapLink::handleProgress, this);
   frontiers_subscriber_ = connections_.subscribe(names::kFrontiers, 1, &MapLink::handleMarkers, this);

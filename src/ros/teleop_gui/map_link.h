@@ -62,8 +62,8 @@ class MapLink {
   const std::string base_frame_;
   ros::CallbackQueue queue_;  ///< before all subscriptions, which are taken from it when they end
   ros::NodeHandle node_;
-  LocalizationInput localization_;
   MapMirror map_;  ///< this and what follows up to the mutex are used by the thread of the topics alone
+  LocalizationInput localization_;
   Places plan_, frontiers_;
   std::optional<Pose2> goal_;
   std::string goal_frame_;

@@ -27,20 +27,19 @@ CollisionScene::CollisionScene(const GridGeometry& world, const Grid<std::uint8_
 
 DiscIndex::Id CollisionScene::addRobot(const Footprint& robot, const Pose2& pose) {
   const DiscIndex::Id id = addObstacle({pose.position(), robot.radius(), robot.outline.inscribedRadius()});
-  bodies_[id].emplace(Body{&robot.outline, PlacedOutline(robot.outline, pose)});
+  robots_[id].emplace(robot.outline, pose);
   return id;
 }
 
 void CollisionScene::moveRobot(DiscIndex::Id id, const Pose2& pose) {
-  const Outline& outline = *bodies_[id]->outline;
-  bodies_[id].emplace(Body{&outline, PlacedOutline(outline, pose)});
+  robots_[id].emplace(robots_[id]->outline(), pose);
   discs_.move(id, pose.position());
 }
 
 DiscIndex::Id CollisionScene::addObstacle(const Disc& disc) {
   const DiscIndex::Id id = discs_.add(disc);
-  if (bodies_.size() <= id) bodies_.resize(id + 1U);
-  bodies_[id].reset();
+  if (robots_.size() <= id) robots_.resize(id + 1U);
+  robots_[id].reset();
   return id;
 }
 
@@ -50,7 +49,7 @@ Obstruction CollisionScene::at(const Footprint& robot, const Pose2& pose, std::o
   Obstruction obstruction = Obstruction::kNone;
   discs_.visitNear(pose.position(), robot.radius(), [&](DiscIndex::Id id, const Disc&) {
     if (id == own || !overlaps(placed, id)) return;
-    obstruction = bodies_[id] ? Obstruction::kRobot : Obstruction::kObstacle;
+    obstruction = robots_[id] ? Obstruction::kRobot : Obstruction::kObstacle;
   });
   return obstruction;
 }
@@ -116,7 +115,7 @@ bool CollisionScene::overlapsAnything(const PlacedOutline& placed, DiscIndex::Id
 }
 
 bool CollisionScene::overlaps(const PlacedOutline& placed, DiscIndex::Id id) const {
-  return bodies_[id] ? placed.overlaps(bodies_[id]->placed) : placed.overlapsDisc(discs_[id]);
+  return robots_[id] ? placed.overlaps(*robots_[id]) : placed.overlapsDisc(discs_[id]);
 }
 
 }  // namespace frontier_pilot::sim

@@ -48,7 +48,7 @@ class CollisionScene {
 
   /// What a robot at `pose` would overlap, except for the robot `own`.
   Obstruction at(const Footprint& robot, const Pose2& pose, std::optional<DiscIndex::Id> own) const;
-  /// Whether a robot at `pose` would overlap the disc `id`, or an obstacle.
+  /// Whether a robot at `pose` would overlap the robot or the obstacle `id`, or `obstacle`.
   bool overlaps(const Footprint& robot, const Pose2& pose, DiscIndex::Id id) const {
     return overlaps(PlacedOutline(robot.outline, pose), id);
   }
@@ -74,12 +74,7 @@ class CollisionScene {
 
   CollisionMap walls_;
   DiscIndex discs_;
-  /// A robot at its pose.
-  struct Body {
-    const Outline* outline;
-    PlacedOutline placed;
-  };
-  std::vector<std::optional<Body>> bodies_;  ///< by the disc's id; none of an obstacle
+  std::vector<std::optional<PlacedOutline>> robots_;  ///< by the disc's id; none of an obstacle
 };
 
 }  // namespace frontier_pilot::sim

@@ -20,6 +20,8 @@ class PlacedOutline {
   /// `outline` must outlive it.
   PlacedOutline(const Outline& outline, const Pose2& T_world_base);
 
+  /// Where it is not placed.
+  const Outline& outline() const { return outline_; }
   /// Centre and radius of the disc around the outline; the centre is the robot's base.
   Vec2 centre() const { return T_world_base_.position(); }
   double radius() const { return outline_.circumscribedRadius(); }

@@ -64,7 +64,7 @@ class Abandoned(unittest.TestCase):
     def setUp(self):
         self.parent, self.clock, self.out = 7, 100.0, io.StringIO()
         self.saves, self.steps, self.master_lives = [], [], True
-        for patch in (mock.patch('watch_exploration.master_answers', lambda: self.master_lives),
+        for patch in (mock.patch('ros_program.is_master_online', lambda _: self.master_lives),
                       mock.patch('sys.stdout', self.out), mock.patch('sys.argv', ['watch_exploration.py']),
                       mock.patch('rospy.Subscriber', self.subscribe), mock.patch('rospy.is_shutdown', lambda: False),
                       mock.patch('watch_exploration.Interrupt', lambda: mock.Mock(number=0)),

@@ -7,11 +7,12 @@
 
 namespace frontier_pilot {
 
-void LocalizationInput::subscribe(NodeConnections& connections) {
+void LocalizationInput::subscribe(NodeConnections& connections, Need need) {
   connections_ = &connections;
   subscriber_ = connections.subscribe<std_msgs::Bool>(names::kLocalized, 1,
                                                       [this](const std_msgs::Bool& msg) { take(msg.data != 0); });
   connections.master().watchPublishers(subscriber_.getTopic());
+  if (need == Need::kOptional) return;
   connections.inputs().need([this](const InputWatch::Topics&) {
     return isLocalized() ? std::string()
                          : "the mapper has not found the robot on its map: give a pose, or call " +

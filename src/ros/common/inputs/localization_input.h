@@ -14,8 +14,8 @@ namespace frontier_pilot {
 /// says so, as with another SLAM or with AMCL, that is taken for granted. [MAP-5]
 class LocalizationInput {
  public:
-  /// The node also waits for it. `connections` must outlive this.
-  void subscribe(NodeConnections& connections);
+  /// The node also waits for it, if it is `need`ed. `connections` must outlive this.
+  void subscribe(NodeConnections& connections, Need need = Need::kNeeded);
   bool isLocalized() const;
   /// Whether that holds for `pose`, the latest that is known: not if it is of before the robot was found.
   bool isLocalizedAt(const std::optional<StampedPose2>& pose) const;
