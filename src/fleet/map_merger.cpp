@@ -22,6 +22,15 @@ std::size_t sourceIndex(std::size_t other, std::size_t robot) { return other < r
 
 CellRect wholeOf(const OccupancyGrid& map) { return map.geometry().rect(); }
 
+/// Whether `now` is not `before` as it has grown or was corrected, but a map that was begun anew, or loaded: much of
+/// what was known is not known any more, or otherwise.
+bool isAnotherMap(const OccupancyGrid& before, const OccupancyGrid& now) {
+  constexpr double kLeastKept = 0.75;  // share of the cells that were known
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) known += before[i] == kUnknown ? 0 : 1;
+  return static_cast<double>(compare(before, now, Pose2()).agreeing) < kLeastKept * static_cast<double>(known);
+}
+
 }  // namespace
 
 const char* toString(MergeState state) {
@@ -57,6 +66,7 @@ MapMerger::MapMerger(const MapMergerParameters& parameters)
 
 void MapMerger::setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
   Robot& own = robots_[robot];
+  noticeAnotherMap(robot, map, changed, now);
   const bool same_extent = own.hasMap() && own.map().geometry() == map.geometry();
   const std::vector<CellRect> parts = own.snapshot.take(map, changed);
   if (same_extent && parts.empty()) return;
@@ -137,13 +147,30 @@ void MapMerger::judge(std::size_t robot, Time now) {
   const bool contradicted = agreement.contradictedShare() > limit;
   if (contradicted == own.contradicted) return;
   own.contradicted = contradicted;
-  if (contradicted && !parameters_.known_starts) {
-    own.candidate.reset();
-    own.windows = {};
-    own.status.windows = 0;
-    return setPlace(robot, std::nullopt, now);  // it is looked for anew
-  }
+  if (contradicted && !parameters_.known_starts) return forgetPlace(robot, now);
   share(robot, {wholeOf(own.map())}, now);
+}
+
+void MapMerger::Robot::forgetWindows() {
+  for (auto& [reference, look] : looks) look.windows = {};
+  status.windows = 0;
+}
+
+void MapMerger::forgetPlace(std::size_t robot, Time now) {
+  robots_[robot].candidate.reset();
+  robots_[robot].forgetWindows();
+  setPlace(robot, std::nullopt, now);
+}
+
+/// The places of all are in the frame of the first robot's map.
+void MapMerger::noticeAnotherMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
+  const Robot& own = robots_[robot];
+  if (parameters_.known_starts || !own.hasMap()) return;
+  const bool may_be =
+      own.map().geometry() != map.geometry() || 2L * changed.width * changed.height >= static_cast<long>(map.size());
+  if (!may_be || !isAnotherMap(own.map(), map)) return;
+  if (robot != 0) return forgetPlace(robot, now);
+  for (std::size_t other = 1; other < robots_.size(); ++other) forgetPlace(other, now);
 }
 
 std::optional<Pose2> MapMerger::place(std::size_t robot) const {

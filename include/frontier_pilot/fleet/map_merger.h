@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -110,29 +111,40 @@ class MapMerger {
   const MergeStatus& status(std::size_t robot) const { return robots_[robot].status; }
 
  private:
+  /// The search for a robot's place in the map of one other: windows of its map are searched for in that one, and by
+  /// turns windows of that one in its map.
+  struct Look {
+    bool reversed = false;
+    std::array<std::optional<Cell>, 2> last_window;  ///< that was searched for, of its map and of the other one
+    std::array<int, 2> windows{};                    ///< of either that lead to the candidate
+
+    int allWindows() const { return windows[0] + windows[1]; }
+  };
   struct Robot {
     MapSnapshot snapshot;
     std::optional<Pose2> T_map_robot;
     bool contradicted = false;
     MergedMap view{FirstSource::kPrevails};
     MergeStatus status;
-    // The search for its place: windows of its map are searched for in another one, and by turns windows of that in its
-    // map.
     MergeState unplaced = MergeState::kPlaceUnknown;  ///< its state while the place is not known
     std::set<std::size_t> not_searched;               ///< robots in whose maps it cannot be looked for
-    bool reversed = false;
-    std::array<std::optional<Cell>, 2> last_window;  ///< that was searched for, of its map and of another one
-    std::array<int, 2> windows{};                    ///< of either that lead to the candidate
-    std::optional<PlaceMatch> candidate;             ///< its transform is T_map_robot
+    std::map<std::size_t, Look> looks;                ///< by the robot in whose map it is looked for
+    std::optional<PlaceMatch> candidate;              ///< its transform is T_map_robot
 
     const OccupancyGrid& map() const { return snapshot.map(); }
     bool hasMap() const { return status.state != MergeState::kNoMap; }
+    /// No window leads to a place any more.
+    void forgetWindows();
   };
 
   bool isMerged(std::size_t robot) const { return robots_[robot].status.state == MergeState::kMerged; }
   /// Takes the map of `robot` into the common map and into the views of the merged robots, or out of them.
   void share(std::size_t robot, const std::vector<CellRect>& changed, Time now);
   void withdraw(std::size_t robot);
+  /// The place of `robot` was found, and does not hold any more: it is looked for anew.
+  void forgetPlace(std::size_t robot, Time now);
+  /// Forgets what was found by the map that `robot` had, if `map` is another one.
+  void noticeAnotherMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now);
   /// The map of `other` in the view of `robot`; both are merged.
   void show(std::size_t other, std::size_t robot, const std::vector<CellRect>& changed);
   void enter(std::size_t robot, MergeState state, Time now);

@@ -1,5 +1,6 @@
 // How the map merger looks for the places of robots whose starts are not known: when, with which maps, and what it
 // takes to believe a match.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -70,9 +71,10 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now, const std::function<bool(
     if (!finding.refined && robot.candidate) T_map_b = robot.candidate->T_a_b;
     std::optional<Pose2> T_a_b;
     if (T_map_b) T_a_b = reference.T_map_robot->inverse() * *T_map_b;
-    robot.reversed = !robot.reversed;
-    finding.reversed = robot.reversed;
-    finding.last_window = robot.last_window[robot.reversed ? 1 : 0];
+    Look& look = robot.looks[finding.reference];
+    look.reversed = !look.reversed;
+    finding.reversed = look.reversed;
+    finding.last_window = look.last_window[look.reversed ? 1 : 0];
     searching_ = true;
     const auto a = std::make_shared<const OccupancyGrid>(reference.map());
     const auto b = std::make_shared<const OccupancyGrid>(robot.map());
@@ -106,7 +108,8 @@ void MapMerger::accept(const PlaceFinding& finding, Time now) {
   searching_ = false;
   last_search_ = now;
   Robot& robot = robots_[finding.robot];
-  robot.last_window[finding.reversed ? 1 : 0] = finding.last_window;
+  Look& look = robot.looks[finding.reference];
+  look.last_window[finding.reversed ? 1 : 0] = finding.last_window;
   if (!isMerged(finding.reference) || finding.refined != isMerged(finding.robot)) return;
   const Pose2& T_map_reference = *robots_[finding.reference].T_map_robot;
   if (finding.refined) {
@@ -118,21 +121,23 @@ void MapMerger::accept(const PlaceFinding& finding, Time now) {
     return;
   }
   weigh(robot, finding, T_map_reference);
-  if (robot.candidate && isSure(robot.windows, *robot.candidate)) setPlace(finding.robot, robot.candidate->T_a_b, now);
+  if (robot.candidate && isSure(look.windows, *robot.candidate)) setPlace(finding.robot, robot.candidate->T_a_b, now);
 }
 
 /// Counts what the last searches in either direction say for the robot's candidate. Another place that fits begins the
 /// count anew.
 void MapMerger::weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference) {
-  int& windows = robot.windows[finding.reversed ? 1 : 0];
+  int& windows = robot.looks[finding.reference].windows[finding.reversed ? 1 : 0];
   windows = 0;
   for (PlaceMatch match : finding.matches) {
     match.T_a_b = T_map_reference * match.T_a_b;
-    if (!robot.candidate || !areAlike(*robot.candidate, match)) robot.windows = {};
+    if (!robot.candidate || !areAlike(*robot.candidate, match)) robot.forgetWindows();
     robot.candidate = match;
     ++windows;
   }
-  robot.status.windows = robot.windows[0] + robot.windows[1];
+  robot.status.windows = 0;
+  for (const auto& [reference, look] : robot.looks)
+    robot.status.windows = std::max(robot.status.windows, look.allWindows());
 }
 
 }  // namespace frontier_pilot::fleet

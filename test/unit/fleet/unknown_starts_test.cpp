@@ -100,6 +100,56 @@ TEST_F(UnknownStarts, ArePartOfTheSearchAgainAfterAMergeWasGivenUp) {
   EXPECT_TRUE(merge(one_, two_));
 }
 
+// [MUL-1] The third robot shares ground with the first one only; windows of its map and of that one are searched for
+// by turns all the same.
+TEST_F(UnknownStarts, AreFoundInTheMapOfOneOfSeveralRobots) {
+  const Pose2 first(10.0, 7.0, 0.4), second(15.0, 8.0, 1.0), third(4.0, 7.0, -2.0);
+  merger_ = MapMerger(parameters(3));
+  give(0, test::seenFrom(world_, first, 12.0));
+  give(1, test::seenFrom(world_, second, 5.0));
+  run(12);
+  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  give(2, test::seenFrom(world_, third, 5.0));
+  run(24);
+  ASSERT_EQ(merger_.status(2).state, MergeState::kMerged);
+  expectNear(*merger_.place(2), first.inverse() * third);
+}
+
+// [MUL-1] A robot that was carried elsewhere and started again begins its map where it is then.
+TEST_F(UnknownStarts, AreNotKnownAnyMoreOfARobotThatBeginsAnotherMap) {
+  ASSERT_TRUE(merge(one_, two_));
+  give(1, test::seenFrom(world_, {17.0, 12.0, 1.0}, 2.0));
+  EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
+  EXPECT_TRUE(merge(one_, two_));
+  give(1, test::seenFrom(world_, kSecondStart, 6.5));
+  EXPECT_EQ(merger_.status(1).state, MergeState::kMerged) << "it has grown";
+  give(1, two_);
+  EXPECT_EQ(merger_.status(1).state, MergeState::kMerged) << "drawn anew, it reaches a little less far";
+}
+
+/// `map` in the middle of a box of 20 m, in steps of which a mapper's map grows.
+OccupancyGrid boxed(const OccupancyGrid& map) {
+  OccupancyGrid box(GridGeometry{0.05, Vec2(-10.0, -10.0), 400, 400}, kUnknown);
+  for (std::size_t i = 0; i < map.size(); ++i)
+    box[box.geometry().cellAt(map.geometry().centre(map.geometry().cell(i)))] = map[i];
+  return box;
+}
+
+// [MUL-1]
+TEST_F(UnknownStarts, AreNotKnownAnyMoreOfARobotWhoseOtherMapHasTheSameExtent) {
+  ASSERT_TRUE(merge(boxed(one_), boxed(two_)));
+  give(1, boxed(test::seenFrom(world_, {17.0, 12.0, 1.0}, 6.0)));
+  EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
+}
+
+// [MUL-1] All places are in the frame of the first robot's map.
+TEST_F(UnknownStarts, AreAllUnknownOnceTheFirstRobotBeginsAnotherMap) {
+  ASSERT_TRUE(merge(one_, two_));
+  give(0, test::seenFrom(world_, {17.0, 12.0, 1.0}, 2.0));
+  EXPECT_EQ(merger_.status(0).state, MergeState::kMerged);
+  EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
+}
+
 /// `map` and, beside it, a copy of it.
 OccupancyGrid twice(const OccupancyGrid& map) {
   const GridGeometry& geometry = map.geometry();
