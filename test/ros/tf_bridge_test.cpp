@@ -113,6 +113,7 @@ TEST(TfBridge, KeepsAScannerWhereItIsFixedWhateverComesLater) {
   const Speaker fixed("/tf_static"), moving("/tf");
   fixed.say({transform("base", "fixed_scan", ros::Time::now())});
   ASSERT_TRUE(comesToKnow(bridge, "base", "fixed_scan"));
+  ros::WallDuration(10.5).sleep();  // until then they may all be those of a start
   auto turned = transform("base", "fixed_scan", ros::Time::now());
   turned.transform.rotation.z = 1.0;
   turned.transform.rotation.w = 0.0;
@@ -126,6 +127,22 @@ TEST(TfBridge, KeepsAScannerWhereItIsFixedWhateverComesLater) {
   ASSERT_TRUE(T_base_scan);
   EXPECT_NEAR(T_base_scan->yaw, 0.0, 1e-9);
   EXPECT_NE(reportOf(bridge).find("'fixed_scan' has another static transform"), std::string::npos) << reportOf(bridge);
+}
+
+// [FLT-1]
+TEST(TfBridge, DoesNotBelieveEitherOfTwoPlacesInWhichAScannerIsFixedFromTheStart) {
+  const TfBridge bridge;
+  const Speaker one("/tf_static"), other("/tf_static");
+  one.say({transform("base", "disputed_scan", ros::Time::now())});
+  ASSERT_TRUE(comesToKnow(bridge, "base", "disputed_scan"));
+  auto turned = transform("base", "disputed_scan", ros::Time::now());
+  turned.transform.rotation.z = 1.0;
+  turned.transform.rotation.w = 0.0;
+  other.say({turned, transform("base", "after_turned", ros::Time::now())});
+  ASSERT_TRUE(comesToKnow(bridge, "base", "after_turned"));
+  EXPECT_FALSE(bridge.lookup("base", "disputed_scan", Time{}));
+  EXPECT_NE(reportOf(bridge).find("'disputed_scan' is said to be in two places"), std::string::npos)
+      << reportOf(bridge);
 }
 
 // [FLT-1]

@@ -1,5 +1,7 @@
 #include "ros/common/tf/tf_listener.h"
 
+#include <ros/console.h>
+
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
 #include "ros/common/clock.h"
@@ -87,6 +89,7 @@ void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
       refuse(why);
     } else if (const std::string objection = fixed_.objection(transform, is_static, steadyNow()); !objection.empty()) {
       refuse(objection);
+      if (const std::string child = fixed_.takeDisputed(); !child.empty()) detach(child);
     } else if (!mayKeep(transform)) {
       refuse("more than 1000 frames");
     } else if (isOfItsTime(transform, is_static, now)) {
@@ -122,6 +125,17 @@ bool TfListener::isOfItsTime(const geometry_msgs::TransformStamped& transform, b
 void TfListener::refuse(const std::string& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
   rejections_.add(why);
+}
+
+void TfListener::detach(const std::string& child) {
+  geometry_msgs::TransformStamped nowhere;
+  nowhere.header.frame_id = "disputed/" + child;
+  nowhere.child_frame_id = child;
+  nowhere.transform.rotation.w = 1.0;
+  buffer_.setTransform(nowhere, "", true);
+  ROS_ERROR_STREAM("'" << child
+                       << "' is said to be in two places, one of them by a static transform, and is not used any more: "
+                          "end the node that is wrong, and restart this one");
 }
 
 bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {

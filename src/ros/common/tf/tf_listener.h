@@ -45,6 +45,8 @@ class TfListener {
   void watchClock();
   void take(const tf2_msgs::TFMessage& msg, bool is_static);
   void refuse(const std::string& why);
+  /// Lets the buffer know nothing of where `child` is, which tf2 does not forget once it is fixed.
+  void detach(const std::string& child);
   bool mayKeep(const geometry_msgs::TransformStamped& transform);
   /// Whether its stamp is plausible. If an earlier stamp turns out to have been in the future, the buffer is cleared.
   bool isOfItsTime(const geometry_msgs::TransformStamped& transform, bool is_static, Time now);
