@@ -25,7 +25,8 @@ class LocalizationWatch {
   bool keeps_map_;
   bool can_be_found_ = true;  ///< whether the map has walls
   bool localized_ = true;
-  std::optional<Pose2> found_at_;  ///< T_odom_base of the last scan that located the robot since it is looked for
+  std::optional<Pose2> at_;  ///< T_odom_base up to which the way was counted; none since the robot is looked for
+  double driven_ = 0.0;      ///< since the last scan that located the robot [m]
 };
 
 }  // namespace frontier_pilot::mapping

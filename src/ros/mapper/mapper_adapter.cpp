@@ -50,7 +50,7 @@ void MapperAdapter::connect() {
   connections_.every(ros::Duration(parameters_.update_period), [this] {
     const auto now = connections_.clock().now();
     if (!now) return;
-    publishLocalized();  // before a map on which the robot is looked for
+    publishIfLost();  // before a map on which the robot is looked for
     insertPaired();
     startRevision();
     publisher_.publish(mapper_, *now);

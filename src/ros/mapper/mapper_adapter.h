@@ -62,7 +62,7 @@ class MapperAdapter {
   void startRevision();
   void takeOver(TimedRevision& done);
   void note(mapping::ScanVerdict verdict, const std::string& detail);
-  void publishLocalized();
+  void publishIfLost();
   void broadcast();
   /// With respect to the odometry as published: the mapper's own `odom` is odometry without its jumps.
   Pose2 T_map_odom() const { return mapper_.T_map_odom() * anchor_.T_smooth_odom(); }

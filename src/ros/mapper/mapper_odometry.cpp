@@ -44,6 +44,7 @@ void MapperAdapter::insertPaired() {
   // The clock is read for each scan: those that become stale while others are processed are dropped.
   while (const auto paired = pairing_.next(rosNow())) {
     if (scan_motion_.note(timing_, paired->covered, paired->scan, paired->T_odom_base)) {
+      publishIfLost();  // this scan may already find it
       const mapping::ScanVerdict verdict = mapper_.insert(paired->scan, paired->T_odom_base, rosNow());
       note(verdict, causeOf(verdict, paired->scan.stamp));
       if (paired->T_odom_base) sayWhereLocalised(verdict, mapper_.T_map_odom() * *paired->T_odom_base);
@@ -65,18 +66,19 @@ void MapperAdapter::noteOdometryReset() {
   broadcast();
 }
 
-void MapperAdapter::publishLocalized() {
-  publisher_.publishLocalized(mapper_.isLocalized(), fromSeconds(parameters_.tf_lead + parameters_.tf_period));
+void MapperAdapter::publishIfLost() {
+  if (restored_ || !mapper_.isLocalized()) publisher_.publishLost();
 }
 
 void MapperAdapter::broadcast() {
-  publishLocalized();
+  publishIfLost();
   // Where odometry is in the map that is kept is not known before it comes: it may have been reset as well. [FLT-2]
   if (restored_) return;
   const auto now = connections_.clock().now();
   if (!now) return;  // after a jump of the clock the stamp might lie far in the future
   const Time stamp = *now + fromSeconds(parameters_.tf_lead);
   tf_.broadcast(parameters_.map_frame, odom_frame_, T_map_odom(), stamp);
+  if (mapper_.isLocalized()) publisher_.publishLocalized(fromSeconds(parameters_.tf_lead + parameters_.tf_period));
 }
 
 void MapperAdapter::reportOdometry(Status& status) const {

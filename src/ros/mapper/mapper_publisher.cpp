@@ -63,12 +63,19 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
   if (schedule_.isDue(map.geometry().size(), now)) publishWhole(map, now);
 }
 
-void MapperPublisher::publishLocalized(bool localized, Duration lead) {
+void MapperPublisher::publishLost() {
+  found_at_.reset();
+  sayLocalized(false);
+}
+
+void MapperPublisher::publishLocalized(Duration lead) {
   const Time ros_now = rosNow();
-  if (!localized || (found_at_ && ros_now < *found_at_)) found_at_.reset();
-  if (localized && !found_at_) found_at_ = ros_now;
+  if (!found_at_ || ros_now < *found_at_) found_at_ = ros_now;
   const bool was_lost = said_localized_ == std::optional<bool>(false);
-  if (localized && was_lost) localized = ros_now - *found_at_ > lead;
+  sayLocalized(!was_lost || ros_now - *found_at_ > lead);
+}
+
+void MapperPublisher::sayLocalized(bool localized) {
   const SteadyTime now = steadyNow();
   if (said_localized_ == localized && now - said_at_ < std::chrono::seconds(1)) return;
   said_localized_ = localized;

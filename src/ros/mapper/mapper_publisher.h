@@ -28,12 +28,15 @@ class MapperPublisher {
   const std::string& other() const { return other_; }
 
   void publish(mapping::Mapper& mapper, Time now);
-  /// Publishes on `mapper/localized` whether the robot is localised: when that has changed, and once a second, so that
-  /// what somebody else has said there does not stay. That the robot was found is said when its transform holds, which
-  /// is stamped ahead by `lead`: until then others look up where it was believed before. [MAP-5]
-  void publishLocalized(bool localized, Duration lead);
+  /// Publishes on `mapper/localized` that the robot is not found on the map: when that is new, and once a second, so
+  /// that what somebody else has said there does not stay. [MAP-5]
+  void publishLost();
+  /// To be called after each transform of a robot that is localised. Says so in the same way; after the robot was lost,
+  /// only once the transforms hold, `lead` after the first one: until then others look up its former place.
+  void publishLocalized(Duration lead);
 
  private:
+  void sayLocalized(bool localized);
   void advertise();
   void withdraw();
   void publishChanges(const occupancy::OccupancyMap& map, const CellRect& cells, Time now);
@@ -50,7 +53,7 @@ class MapperPublisher {
   ros::Publisher metadata_;
   MapChangesPublisher compact_;
   ros::Publisher localized_;
-  std::optional<Time> found_at_;  ///< ROS time since which the robot has been localised
+  std::optional<Time> found_at_;  ///< ROS time of the first transform since the robot is localised
   std::optional<bool> said_localized_;
   SteadyTime said_at_;
 };

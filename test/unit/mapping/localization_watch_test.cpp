@@ -64,5 +64,18 @@ TEST(LocalizationWatch, ReliesOnOdometryForTwoMetresWhereTheMapStaysAsItIs_MAP_5
   EXPECT_TRUE(watch.isLocalized());
 }
 
+// [MAP-5] Its odometry drifts by the way that it drives, not by how far it gets.
+TEST(LocalizationWatch, CountsTheWayThatTheRobotDrivesToAndFro_MAP_5) {
+  LocalizationWatch watch(true);
+  watch.lookFor(true);
+  watch.take(true, at(0.0));
+  for (int i = 0; i < 1000; ++i) watch.take(false, at(0.01 * (i % 2)));
+  EXPECT_TRUE(watch.isLocalized()) << "it stands";
+  for (double x : {0.5, 1.0, 0.5, 0.0}) watch.take(false, at(x));
+  EXPECT_TRUE(watch.isLocalized());
+  watch.take(false, at(0.5));
+  EXPECT_FALSE(watch.isLocalized());
+}
+
 }  // namespace
 }  // namespace frontier_pilot::mapping
