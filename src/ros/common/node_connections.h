@@ -164,11 +164,12 @@ class NodeConnections {
           follower->take(msg.data != 0, clock_.holdUps());
         },
         ros::TransportHints().tcpNoDelay());
-    subscribe<ArbiterStatus>(
+    subscribeToEvents<ArbiterStatus>(
         names::kArbiterStatus, 1,
-        [this, follower](const ArbiterStatus& msg) {
+        [this, follower](const ros::MessageEvent<const ArbiterStatus>& event) {
+          const ArbiterStatus& msg = *event.getConstMessage();
           clock_.now();
-          follower->count(msg.stops, msg.emergency_stop != 0, clock_.holdUps());
+          follower->count(event.getPublisherName(), msg.stops, msg.emergency_stop != 0, clock_.holdUps());
         },
         ros::TransportHints().tcpNoDelay());
     everySteady(ros::WallDuration(0.05), [this, follower, topic = state.getTopic()] {

@@ -11,7 +11,9 @@ class StopFollowerOfAServer : public ::testing::Test {
  protected:
   void tick(bool catching_up = false) { follower.tick(publishers, hold_ups, catching_up); }
   void take(bool stopped) { follower.take(stopped, hold_ups); }
-  void count(std::uint64_t stops, bool stopped) { follower.count(stops, stopped, hold_ups); }
+  void count(std::uint64_t stops, bool stopped, const std::string& node = "/arbiter") {
+    follower.count(node, stops, stopped, hold_ups);
+  }
 
   std::string told;  ///< S for a stop, c for a clear
   StopFollower::Uris publishers{"http://arbiter:1"};
@@ -214,6 +216,59 @@ TEST_F(StopFollowerOfAServer, WaitsUntilItHasCaughtUpWithAClearThatAStatusTellsO
   EXPECT_EQ(told, "cS");
   tick();
   EXPECT_EQ(told, "cSSc");
+}
+
+// [FLT-2] A recording that is played on the arbiter's topic has counted stops of another day. It may have taken the
+// place of the arbiter, so it counts once.
+TEST_F(StopFollowerOfAServer, ComparesTheCountsOfEachNodeByItself_FLT_2) {
+  take(false);
+  tick();
+  told.clear();
+  for (int i = 0; i < 5; ++i) {
+    count(3, false);
+    count(7, false, "/play");
+  }
+  EXPECT_EQ(told, "Sc");
+  count(4, false);
+  EXPECT_EQ(told, "ScSc") << "a stop that was missed";
+  count(8, true, "/play");
+  count(4, false);
+  EXPECT_EQ(told, "ScScS") << "only who has counted it can say that it is over";
+  count(8, false, "/play");
+  EXPECT_EQ(told, "ScScSc");
+}
+
+// [FLT-2]
+TEST_F(StopFollowerOfAServer, DoesNotStayStoppedByTheCountOfANodeThatHasFallenSilent_FLT_2) {
+  take(false);
+  tick();
+  told.clear();
+  count(3, false);
+  count(7, true, "/play");
+  for (int i = 0; i < 90; ++i) tick();
+  count(7, true, "/play");
+  for (int i = 0; i < 90; ++i) tick();
+  EXPECT_EQ(told, "S");
+  for (int i = 0; i < 20; ++i) tick();
+  EXPECT_EQ(told, "Sc");
+}
+
+// [FLT-2] Other clients of ROS may give no name.
+TEST_F(StopFollowerOfAServer, DoesNotTakeTheStatusOfANodeWithoutANameForAClear_FLT_2) {
+  count(3, false, "");
+  take(true);
+  tick();
+  told.clear();
+  count(3, false, "");
+  EXPECT_EQ(told, "");
+}
+
+// [FLT-2]
+TEST_F(StopFollowerOfAServer, TellsAFewNodesApartThatCount_FLT_2) {
+  for (int i = 0; i < 1000; ++i) count(3, false, "/play_" + std::to_string(i));
+  EXPECT_EQ(told, "");
+  count(4, false, "/arbiter");
+  EXPECT_EQ(told, "Sc");
 }
 
 }  // namespace
