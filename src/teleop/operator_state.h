@@ -82,7 +82,7 @@ struct ExplorerView {
   std::string bounds_text, inspect_text, end_text, map_text;
 };
 
-/// The goal of the navigation. It is sent only when something changes, so its age says nothing.
+/// The goal of the navigation. Without one it is sent only when something changes; its age then says nothing.
 struct NavigationView {
   double status_age = 0.0;
   Severity severity = Severity::kIdle;
@@ -95,7 +95,8 @@ struct NavigationView {
 
 /// An action: a patrol, a spin, a goal of the navigation, or waypoints.
 struct ActionView {
-  bool server_up = false;
+  bool connected = false;  ///< to a server, which may hang
+  bool server_up = false;  ///< it responds
   bool active = false;
   std::string feedback;  ///< of the present or last goal
   std::string result;    ///< of the last goal; empty while one is active

@@ -22,7 +22,7 @@ QPushButton* ActionCard::makeStart(const QString& text) {
 void ActionCard::showAction(const teleop::ActionView& action, bool emergency_stop) {
   for (QPushButton* button : start_) {
     button->setEnabled(action.server_up && !emergency_stop);
-    button->setToolTip(!action.server_up ? server_ + " is down"
+    button->setToolTip(!action.server_up ? server_ + " is down, or does not respond"
                                          : (emergency_stop ? toString(teleop::DriveLock::kEmergencyStop) : ""));
   }
   setRemark(!action.server_up ? "server down" : (action.active ? "running" : "ready"),

@@ -125,7 +125,7 @@ void MapCard::setState(const teleop::OperatorState& state) {
   };
   stopped_ = state.emergency_stop.value_or(false);
   const bool takes_goals = state.navigate.server_up && !stopped_;
-  const char* why_not = stopped_ ? kStopped : "The navigation is down.";
+  const char* why_not = stopped_ ? kStopped : "The navigation is down, or does not respond.";
   enable(go_, takes_goals, why_not);
   enable(return_, takes_goals, why_not);
   if (takes_goals) return_->setToolTip("Pause the explorer, and drive to the origin of the map.");
@@ -145,7 +145,7 @@ void MapCard::showWaypointCount() {
                               : QString(count == 1 ? "Follow %1 point" : "Follow %1 points").arg(count));
   follow_->setEnabled(count > 0 && follower_up_ && !stopped_);
   follow_->setToolTip(stopped_        ? kStopped
-                      : !follower_up_ ? "waypoint_follower is down."
+                      : !follower_up_ ? "waypoint_follower is down, or does not respond."
                                       : "Add waypoints with the Shift key and a click on the map.");
   forget_->setEnabled(count > 0);
 }

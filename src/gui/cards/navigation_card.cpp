@@ -58,16 +58,20 @@ NavigationCard::NavigationCard(QWidget* parent)
 
 void NavigationCard::setState(const teleop::OperatorState& state) {
   const bool heard = state.navigation.has_value();
-  const teleop::NavigationView view = state.navigation.value_or(teleop::NavigationView());
-  setRemark(!heard ? "server down" : (view.has_goal ? "driving to a goal" : "ready"),
-            heard ? teleop::Severity::kIdle : teleop::Severity::kWarning);
+  const bool responds = heard && state.navigate.server_up;
+  const teleop::NavigationView view = responds ? *state.navigation : teleop::NavigationView();
+  setRemark(!heard      ? "server down"
+            : !responds ? "silent"
+                        : (view.has_goal ? "driving to a goal" : "ready"),
+            responds ? teleop::Severity::kIdle : teleop::Severity::kWarning);
   goal_->setText(view.has_goal ? QString("%1, %2").arg(view.goal.x(), 0, 'f', 1).arg(view.goal.y(), 0, 'f', 1)
                                : kNoValue);
   distance_->setText(inMetres(view.distance_left));
   time_->setText(inSeconds(view.time_left));
   dot_->setSeverity(view.severity);
-  status_->setFullText(heard && !view.status.empty() ? QString::fromStdString(view.status) : "no goal yet");
-  cancel_->setEnabled(view.has_goal);
+  const QString nothing = heard && !responds ? "it does not respond" : "no goal yet";
+  status_->setFullText(view.status.empty() ? nothing : QString::fromStdString(view.status));
+  cancel_->setEnabled(heard && state.navigation->has_goal);  // a server that hangs may go on with it
 }
 
 }  // namespace frontier_pilot::gui

@@ -6,6 +6,8 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/text.h"
+#include "ros/common/clock.h"
+#include "teleop/operator_state.h"
 
 namespace frontier_pilot {
 namespace {
@@ -50,7 +52,7 @@ ActionLink<Action>::ActionLink(ros::NodeHandle& node, NodeConnections& connectio
 
 template <class Action>
 void ActionLink<Action>::start(const Goal& goal) {
-  if (!view().server_up) return log_(teleop::Severity::kError, name_ + ": the server is down");
+  if (!view().server_up) return log_(teleop::Severity::kError, name_ + ": the server is down, or does not respond");
   ActionGoal msg;
   msg.goal_id = ids_.generateID();
   msg.header.stamp = msg.goal_id.stamp;
@@ -86,15 +88,19 @@ teleop::ActionView ActionLink<Action>::view() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   teleop::ActionView view = view_;
   // A server subscribes to goals and publishes status: another subscriber to the goals has no status, and a server that
-  // died is disconnected from the goal topic at once.
-  view.server_up = goal_publisher_.getNumSubscribers() > 0 && status_subscriber_.getNumPublishers() > 0;
-  view.active = view.active && view.server_up;
+  // died is disconnected from the goal topic at once. One that hangs sends no status, and would begin a goal when it
+  // goes on, whenever that is.
+  const bool heard = heard_ && steadyNow() - *heard_ <= fromSeconds(teleop::kStatusLifetime);
+  view.connected = goal_publisher_.getNumSubscribers() > 0 && status_subscriber_.getNumPublishers() > 0;
+  view.server_up = view.connected && heard;
+  view.active = view.active && view.connected;
   return view;
 }
 
 template <class Action>
 void ActionLink<Action>::onStatus(const actionlib_msgs::GoalStatusArray& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  heard_ = steadyNow();
   view_.active = std::any_of(msg.status_list.begin(), msg.status_list.end(), isGoingOn);
 }
 

@@ -10,8 +10,10 @@
 #include <ros/node_handle.h>
 
 #include <mutex>
+#include <optional>
 #include <string>
 
+#include "frontier_pilot/core/time.h"
 #include "ros/common/node_connections.h"
 #include "ros/teleop_gui/service_caller.h"
 
@@ -47,9 +49,10 @@ class ActionLink {
   OperatorLog log_;
   Logs logs_;
   actionlib::GoalIDGenerator ids_;
-  mutable std::mutex mutex_;  ///< guards the two that follow
+  mutable std::mutex mutex_;  ///< guards the three that follow
   std::string own_id_;        ///< of the goal sent here; empty if there is none or it has ended
   teleop::ActionView view_;
+  std::optional<SteadyTime> heard_;  ///< when the server last sent its status
   ros::Publisher goal_publisher_, cancel_publisher_;
   ros::Subscriber status_subscriber_;
 };

@@ -21,9 +21,10 @@ constexpr const char* kRoot = "/";       // as fleet_stop calls a robot without 
 // A stop that was pressed is asked for again and again for ten seconds, also when another robot is shown by then.
 constexpr Duration kRetirement = std::chrono::seconds(12);
 constexpr Duration kHeard = std::chrono::seconds(3);  // fleet_stop reports once a second
+constexpr Duration kNews = std::chrono::seconds(10);  // after that a robot that was stopped may have been cleared
 /// For the answer to a stop of all robots: fleet_stop waits for theirs for as long as its `patience`, which is at most
-/// ten seconds.
-constexpr Duration kFleetPatience = std::chrono::seconds(11);
+/// three seconds.
+constexpr Duration kFleetPatience = std::chrono::seconds(5);
 
 /// The absolute name of what belongs to a robot.
 std::string absolute(const std::string& robot, const std::string& name) {
@@ -53,8 +54,8 @@ FleetBridge::FleetBridge(const ros::NodeHandle& node, const teleop::TeleopParame
       stop_caller_(node_, logForOperator,
                    [this](const auto&, bool success, const std::string& message) {
                      const std::lock_guard<std::mutex> lock(mutex_);
-                     stop_ = {success ? teleop::Severity::kGood : teleop::Severity::kError,
-                              printable(message, bounds::kMostReason)};
+                     stop_ = {severityOfAnswer(success, message), printable(message, bounds::kMostReason)};
+                     answered_at_ = steadyNow();
                    }),
       watch_(node_, [](const std::string&) {}),
       connections_(node_),
@@ -124,10 +125,11 @@ teleop::FleetView FleetBridge::fleet() {
   stop_caller_.getReady(names::kFleetEmergencyStop, stop_seen);
   const bool stop_ready = stop_caller_.isReady(names::kFleetEmergencyStop);
   const std::lock_guard<std::mutex> lock(mutex_);
-  view.stop = stop_;
+  const bool is_news = now - answered_at_ < kNews;
+  if (is_news || stop_.severity != teleop::Severity::kGood) view.stop = stop_;
   // A connection alone says nothing: after an outage of the network it looks sound for minutes.
   const bool stop_up = stop_seen || (stop_ready && listed_at_ && now - *listed_at_ < kHeard);
-  if (!stop_up && stop_.severity != teleop::Severity::kError)
+  if (!stop_up && !(is_news && stop_.severity == teleop::Severity::kError))
     view.stop = {teleop::Severity::kError, "fleet/emergency_stop is down: stop each robot by itself."};
   for (const auto& [name, reached] : listed_) view.robots.push_back(viewOf(name, reached, now));
   return view;

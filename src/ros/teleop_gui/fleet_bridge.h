@@ -61,11 +61,12 @@ class FleetBridge : public teleop::FleetLink {
 
   const teleop::TeleopParameters parameters_;
   const std::function<bool()> running_;
-  std::mutex mutex_;                    ///< guards what follows, up to stop_
+  std::mutex mutex_;                    ///< guards what follows, up to answered_at_
   std::map<std::string, Robot> heard_;  ///< all that were ever listed
   std::map<std::string, bool> listed_;  ///< those that are, and whether a stop of the fleet reaches them
   std::optional<SteadyTime> listed_at_;
   teleop::FleetStopView stop_;
+  SteadyTime answered_at_;  ///< when the last call was answered
   const ros::NodeHandle own_node_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;

@@ -202,7 +202,7 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
     case Kind::kStopSpin:
       return spin_.cancelAll();
     case Kind::kStopNavigation:
-      if (waypoints_.view().server_up) waypoints_.cancelAll();  // first, so that they do not go on with the next one
+      if (waypoints_.view().connected) waypoints_.cancelAll();  // first, so that they do not go on with the next one
       return navigate_.cancelAll();
     case Kind::kGoTo:
       return request.poses.empty() ? void() : goTo(request.poses.front());

@@ -1,7 +1,6 @@
 #include "ros/teleop_gui/map_link.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
@@ -13,8 +12,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr double kPeriod = 0.2;                        // of the views [s]
-constexpr auto kMasterPeriod = std::chrono::hours(1);  // the bridge looks after the registrations of the node
+constexpr double kPeriod = 0.2;  // of the views [s]
 constexpr std::size_t kMostShownPoints = 20'000;
 
 /// Those that are places, and of very many only every n-th. [FLT-1]
@@ -45,13 +43,15 @@ MapLink::MapLink(const ros::NodeHandle& node, const TfBridge& tf, std::string ba
     : tf_(tf),
       base_frame_(std::move(base_frame)),
       node_(onQueue(node, queue_)),
-      connections_(node_, kMasterPeriod),
+      connections_(node_),
       spinner_(1, &queue_) {
   map_.subscribe(connections_, {}, {}, Need::kOptional);
   localization_.subscribe(connections_, Need::kOptional);
   plan_subscriber_ = connections_.subscribe(names::kPlan, 1, &MapLink::handlePlan, this);
   goal_subscriber_ = connections_.subscribe(names::kNavigatorProgress, 1, &MapLink::handleProgress, this);
   frontiers_subscriber_ = connections_.subscribe(names::kFrontiers, 1, &MapLink::handleMarkers, this);
+  for (const auto* subscriber : {&plan_subscriber_, &goal_subscriber_, &frontiers_subscriber_})
+    connections_.master().watchPublishers(subscriber->getTopic());
   connections_.everySteady(ros::WallDuration(kPeriod), [this] { collect(); });
   spinner_.start();
 }
@@ -105,9 +105,14 @@ void MapLink::collect() {
 }
 
 void MapLink::forgetGone() {
-  if (plan_subscriber_.getNumPublishers() == 0) plan_ = {};
-  if (goal_subscriber_.getNumPublishers() == 0) goal_.reset();
-  if (frontiers_subscriber_.getNumPublishers() == 0) frontiers_ = {};
+  if (!isPublished(plan_subscriber_)) plan_ = {};
+  if (!isPublished(goal_subscriber_)) goal_.reset();
+  if (!isPublished(frontiers_subscriber_)) frontiers_ = {};
+}
+
+/// roscpp keeps the link to a node that was killed.
+bool MapLink::isPublished(const ros::Subscriber& subscriber) {
+  return subscriber.getNumPublishers() > 0 && connections_.master().mayBePublished(subscriber.getTopic());
 }
 
 std::optional<teleop::MapChange> MapLink::takeChange() {

@@ -28,6 +28,9 @@ void logForOperator(teleop::Severity severity, const std::string& text);
 /// thread.
 using ServiceAnswered = std::function<void(const std::string& service, bool success, const std::string& message)>;
 
+/// How an answer is shown: one that leaves a doubt whether the robot stands is no plain success.
+teleop::Severity severityOfAnswer(bool success, const std::string& said);
+
 /// Whether `service` is a valid ROS name. For an invalid one roscpp throws, also in threads where nothing catches it.
 bool isServiceName(const std::string& service);
 

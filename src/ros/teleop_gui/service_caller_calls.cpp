@@ -16,12 +16,12 @@ constexpr Duration kMostWait = std::chrono::seconds(2);  // after that a call th
 constexpr Duration kInsists = std::chrono::seconds(10);
 constexpr auto kBetweenCalls = std::chrono::milliseconds(200);
 
-teleop::Severity severityOf(bool success, const std::string& said) {
+}  // namespace
+
+teleop::Severity severityOfAnswer(bool success, const std::string& said) {
   if (!success) return teleop::Severity::kError;
   return mayBeUnsent(said) ? teleop::Severity::kWarning : teleop::Severity::kGood;
 }
-
-}  // namespace
 
 bool ServiceCaller::begin(const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -139,7 +139,7 @@ void ServiceCaller::perform(const Call& call) {
   if (answered_) answered_(call.service, answer && answer->success, answer ? answer->message : none);
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
   const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");
-  log_(severityOf(answer->success, said), (call.path.empty() ? call.text() : call.service) + ": " + said);
+  log_(severityOfAnswer(answer->success, said), (call.path.empty() ? call.text() : call.service) + ": " + said);
 }
 
 std::string ServiceCaller::whyNone() {

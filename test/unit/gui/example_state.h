@@ -84,7 +84,7 @@ inline teleop::OperatorState exampleState() {
   explorer.end_text = "when the battery is at 20 %; battery 57 %";
   explorer.map_text = "saved at the end: maps/hall";
   state.explorer = explorer;
-  state.patrol.server_up = state.spin.server_up = true;
+  state.patrol.server_up = state.spin.server_up = state.navigate.server_up = true;
   state.patrol.result = "square patrol complete!!";
   state.scan = teleop::ScanView{0.06, exampleScan()};
   return state;
