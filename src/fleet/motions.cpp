@@ -8,7 +8,7 @@
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr double kWidest = 1.0;    // [m]
+constexpr double kWidest = 7.1;    // as far as a corner of an outline may be from the origin [m]
 constexpr double kShortest = 0.3;  // between two messages that tell a velocity: some wait, and come together [s]
 constexpr double kFastest = 2.0;   // [m/s]
 constexpr double kSlowest = 0.05;  // of a robot that counts as moving [m/s]

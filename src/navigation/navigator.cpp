@@ -13,9 +13,10 @@ namespace {
 /// closer to a wall it could turn neither way.
 constexpr double kSwingRoom = 0.02;
 
-/// A pose that differs from the one before it by more is a correction, and no motion [m or rad]. What was tracked in
+/// A pose that differs from the one before it by more is a correction, and no motion [m, rad]. What was tracked in
 /// the map's frame has not moved with it.
 constexpr double kPlacedElsewhere = 0.5;
+constexpr double kTurnedElsewhere = 1.5;  // farther than a robot turns between two poses of which one is late
 
 /// The map is for a disc as wide as the lane of the robot.
 planning::ClearanceParams clearanceFor(planning::ClearanceParams params, const Outline& outline) {
@@ -61,7 +62,6 @@ Navigator::Impl::Impl(const NavigatorParams& params, std::vector<RecoveryRung> l
 void Navigator::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
   if (clearance_.setMap(map, changed)) {
     obstacles_.forget();
-    dynamic_.clear();
     obstacles_changed_ = true;
   }
   map_changed_ = true;
@@ -119,7 +119,7 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   // A pose of the future would keep all true ones out of the history until its time has come.
   const bool of_the_future = inputs.pose && toSeconds(inputs.pose->stamp - now) > params_.max_age;
   if (inputs.pose && inputs.pose->pose.isFinite() && !of_the_future) {
-    if (pose_ && isJump(pose_->pose, inputs.pose->pose, kPlacedElsewhere, kPlacedElsewhere)) dynamic_.clear();
+    if (pose_ && isJump(pose_->pose, inputs.pose->pose, kPlacedElsewhere, kTurnedElsewhere)) dynamic_.clear();
     pose_ = inputs.pose;
     poses_.add(pose_->stamp, pose_->pose);
     track_.add(pose_->pose);

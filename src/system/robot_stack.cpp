@@ -160,7 +160,7 @@ void RobotStack::navigate() {
       inputs.new_goal = navigation::NavGoal{pending_.goal_id, pending_.goal, false};
     inputs.cancel = pending_.kind == exploration::GoalCommand::Kind::kCancel;
     if (inputs.new_goal) goal_ = inputs.new_goal;
-    if (gives_way_) inputs.order = giveWay();
+    if (gives_way_ && inputs.localized) inputs.order = giveWay();
     pending_ = {};
     navigation_ = navigator_.update(inputs, now());
     noteGoals(navigation_);

@@ -154,11 +154,11 @@ class ArbiterLife(unittest.TestCase):
     def test_topics_that_are_no_names_and_topics_of_two_sources_are_refused_by_parameter(self):
         rospy.set_param('/topics/cmd_vel_arbiter', {'sources': [
             {'name': 'manual', 'topic': 'a b'}, {'name': 'nav', 'topic': '~x'}, {'name': 'joy', 'topic': 'joy', 'priority': 1},
-            {'name': 'pad', 'topic': '/topics//joy', 'priority': 2}]})
+            {'name': 'pad', 'topic': '/topics//joy', 'priority': 2}], 'fleet_stop_status': 'c d'})
         code, said = self.arbiter('/topics').finish()
         self.assertEqual(code, 2, said)
         for text in ["sources[0]/topic: 'a b' is not a name of ROS", "sources[1]/topic: '~x' is not a name of ROS",
-                     "sources[3]/topic: '/topics//joy' belongs to 'joy' already"]:
+                     "sources[3]/topic: '/topics//joy' belongs to 'joy' already", "fleet_stop_status: 'c d' is not a name of ROS"]:
             self.assertIn(text, said, '[ARB-1]')
 
     # [ARB-6] [ARB-8]

@@ -76,6 +76,8 @@ class TrafficRule {
   ClaimsVerdict hear(const MotionMessage& message, Time now);
   /// To be called in every cycle of the navigator; decides four times a second.
   TrafficOrder update(const TrafficInputs& inputs, Time now);
+  /// What was heard and decided does not count any more, because the robot does not know where it is, or what time.
+  void forget();
   /// What the robot is to tell the others by its last update; nothing while its place among them is not known.
   std::optional<MotionMessage> message() const;
   /// How many others were heard of at the last decision.
@@ -124,7 +126,6 @@ class TrafficRule {
   double apartFrom(const Other& other) const;
   /// Whether no other robot matters at present.
   bool isAlone() const;
-  void forget();
 
   std::string own_name_;
   double radius_;

@@ -26,7 +26,7 @@ std::string FleetStopWatch::problem(SteadyTime now) const {
   if (topic_.empty() || now - since_ <= kPatience) return {};
   const std::string stop = std::string(names::kFleetEmergencyStop) + " does not stop this robot: ";
   if (!heard_.fresh(now, kPatience)) return stop + "nothing has been heard on " + topic_ + " for some seconds";
-  return stop + "fleet_stop has no connection to " + service_;
+  return stop + "fleet_stop does not reach " + service_;
 }
 
 }  // namespace frontier_pilot

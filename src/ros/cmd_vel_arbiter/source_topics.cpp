@@ -28,6 +28,8 @@ bool isOwn(const std::string& topic, const ros::NodeHandle& node) {
 arbiter::ArbiterParameters loadArbiterParameters(const ros::NodeHandle& node, const ros::NodeHandle& private_node) {
   auto parameters = loadNodeParameters<arbiter::ArbiterParameters>(private_node);
   Problems problems;
+  if (const std::string& topic = parameters.fleet_stop_status; !topic.empty() && !isName(topic))
+    problems.push_back("fleet_stop_status: '" + topic + "' is not a name of ROS");
   std::map<std::string, std::string> owners;  // of the resolved topics
   for (std::size_t i = 0; i < parameters.sources.size(); ++i) {
     const arbiter::SourceParameters& source = parameters.sources[i];

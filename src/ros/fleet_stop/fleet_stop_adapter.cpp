@@ -21,13 +21,6 @@ constexpr Duration kPublished = std::chrono::seconds(1);
 /// Each line has a thread. There are fewer robots in any fleet, but anybody can publish topics that look like theirs.
 constexpr std::size_t kMostLines = 200;
 
-/// The service of the arbiter that publishes the status `topic`; empty if it is another topic.
-std::string serviceBeside(const std::string& topic) {
-  const std::string end = std::string("/") + names::kArbiterStatus;
-  if (topic.size() < end.size() || topic.compare(topic.size() - end.size(), end.size(), end) != 0) return {};
-  return topic.substr(0, topic.size() - end.size()) + "/" + names::kEmergencyStop;
-}
-
 }  // namespace
 
 void FleetStopParameters::check(Problems& problems) const {
@@ -98,6 +91,7 @@ bool FleetStopAdapter::handleStop(Call& call) {
 void FleetStopAdapter::takeMasterReport() {
   const auto seen = connections_.master().take();
   if (!seen) return;
+  has_rival_ = seen->rivals.count(node_.resolveName(names::kFleetEmergencyStop)) != 0;
   for (const auto& [topic, nodes] : seen->publishers) {
     const std::string service = serviceBeside(topic);
     if (service.empty() || service == node_.resolveName(names::kFleetEmergencyStop)) continue;  // not this node itself
@@ -112,8 +106,8 @@ void FleetStopAdapter::forgetRobots() {
   }
   for (const std::string& service : known_.forget(now)) {
     ROS_INFO_STREAM(robotOf(service) << " has been gone for an hour, and is not stopped with the others any more");
-    const auto is_another = [&](const auto& line) { return line->service() != service; };
-    const auto gone = std::stable_partition(lines_.begin(), lines_.end(), is_another);
+    const auto gone = std::stable_partition(lines_.begin(), lines_.end(),
+                                            [&](const auto& line) { return line->service() != service; });
     std::for_each(gone, lines_.end(), [](const auto& line) { line->end(); });
     std::move(gone, lines_.end(), std::back_inserter(forgotten_));
     lines_.erase(gone, lines_.end());
@@ -127,7 +121,7 @@ void FleetStopAdapter::tick() {
   forgetRobots();
   FleetStopStatus msg;
   msg.stamp = ros::Time::now();
-  for (const auto& line : lines_) (line->connected() ? msg.reached : msg.not_reached).push_back(line->service());
+  for (const auto& line : lines_) (canStop(*line) ? msg.reached : msg.not_reached).push_back(line->service());
   if (steadyNow() - published_ < kPublished && msg.not_reached == not_reached_) return;
   published_ = steadyNow();
   not_reached_ = msg.not_reached;
@@ -136,13 +130,13 @@ void FleetStopAdapter::tick() {
 
 void FleetStopAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
+  const std::string why = has_rival_ ? "; the calls go to another node, not to " : "; no connection to ";
   std::string missing;
-  for (const std::string& service : not_reached_) missing += (missing.empty() ? "" : ", ") + robotOf(service);
+  for (const std::string& service : not_reached_) missing += (missing.empty() ? why : ", ") + robotOf(service);
   const std::string reached = std::to_string(lines_.size() - not_reached_.size()) + " of " +
                               std::to_string(lines_.size()) + " robots can be stopped together";
   status.summary(lines_.empty() || !missing.empty() ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
-                 lines_.empty() ? "no robot is listed or known"
-                                : reached + (missing.empty() ? "" : "; no connection to " + missing));
+                 lines_.empty() ? "no robot is listed or known" : reached + missing);
   if (!last_stop_.empty()) status.add("last stop", last_stop_);
 }
 

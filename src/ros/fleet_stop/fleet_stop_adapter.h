@@ -25,7 +25,7 @@ struct FleetStopParameters {
     v.list("robots", robots,
            "the robots; only their names count here. Robots whose arbiters the master knows are stopped as well");
     v.field("patience", patience, "s", "a robot that has not answered a stop after this time counts as silent",
-            between(0.1, 10.0));
+            between(0.1, 3.0));
   }
   void check(Problems& problems) const;
 };
@@ -50,6 +50,7 @@ class FleetStopAdapter {
   void takeMasterReport();
   /// Drops the lines to robots that have been gone for long.
   void forgetRobots();
+  bool canStop(const StopLine& line) const { return line.connected() && !has_rival_; }
   void tick();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -60,6 +61,7 @@ class FleetStopAdapter {
   std::vector<std::unique_ptr<StopLine>> forgotten_;  ///< whose threads have not ended yet
   ros::Publisher status_;
   std::vector<std::string> not_reached_;  ///< as published last
+  bool has_rival_ = false;                ///< another node has fleet/emergency_stop, and gets the calls
   SteadyTime published_{};
   std::string last_stop_;  ///< the answer to the last call; empty before the first
   NodeDiagnostics diagnostics_;

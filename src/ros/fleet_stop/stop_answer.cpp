@@ -32,6 +32,12 @@ std::string robotOf(const std::string& service) {
   return robot.substr(robot.front() == '/' ? 1 : 0);
 }
 
+std::string serviceBeside(const std::string& topic) {
+  const std::string end = std::string("/") + names::kArbiterStatus;
+  if (topic.size() < end.size() || topic.compare(topic.size() - end.size(), end.size(), end) != 0) return {};
+  return topic.substr(0, topic.size() - end.size()) + "/" + names::kEmergencyStop;
+}
+
 FleetAnswer summarize(const std::vector<RobotAnswer>& answers) {
   if (answers.empty()) return {false, "no robot is listed or known"};
   const auto confirmed = std::count_if(answers.begin(), answers.end(), [](const RobotAnswer& robot) {

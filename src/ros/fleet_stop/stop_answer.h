@@ -33,5 +33,7 @@ FleetAnswer summarize(const std::vector<RobotAnswer>& answers);
 
 /// The robot's name, of its resolved service `/robot1/emergency_stop`; "/" for a robot without a namespace.
 std::string robotOf(const std::string& service);
+/// The service of the arbiter that publishes the status `topic`; empty if it is another topic.
+std::string serviceBeside(const std::string& topic);
 
 }  // namespace frontier_pilot

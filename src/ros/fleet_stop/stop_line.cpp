@@ -50,6 +50,7 @@ void StopLine::ask() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (calling_since_ && steadyNow() - *calling_since_ >= kGivenUp) client_.shutdown();
     ++asked_;
+    asked_at_ = steadyNow();
   }
   wake_.notify_all();
 }
@@ -74,10 +75,11 @@ void StopLine::run() {
     const bool late = asked_ == answered_;
     if (ending_ || (late && !(owed_until_ && connected_))) continue;
     const std::uint64_t number = asked_;
+    const SteadyTime latest = asked_at_ + kOwed;
     calling_since_ = steadyNow();
     lock.unlock();
     StopAnswer answer{StopOutcome::kRefused, "the call failed"};
-    guard_.run("a call of " + service_, [&] { answer = call(); });
+    guard_.run("a call of " + service_, [&] { answer = call(latest); });
     lock.lock();
     calling_since_.reset();
     if (late) {
@@ -93,7 +95,7 @@ void StopLine::settle(std::uint64_t number, StopAnswer answer) {
   answered_ = number;
   answer_ = std::move(answer);
   owed_until_.reset();
-  if (answer_.outcome != StopOutcome::kConfirmed) owed_until_ = steadyNow() + kOwed;
+  if (answer_.outcome != StopOutcome::kConfirmed) owed_until_ = asked_at_ + kOwed;
   wake_.notify_all();
 }
 
@@ -125,11 +127,15 @@ void StopLine::disconnect() {
   client_.shutdown();
 }
 
-StopAnswer StopLine::call() {
+StopAnswer StopLine::call(SteadyTime latest) {
   // The connection may have been lost unnoticed: a call that fails is made once more, by a new one.
   for (int attempt = 0; attempt < 2; ++attempt) {
     connect();
     if (!connected_) return {StopOutcome::kNoService, {}};
+    if (steadyNow() > latest) {
+      ROS_WARN_STREAM("a stop that " << service_ << " could not be told for half a minute is not told any more");
+      return {StopOutcome::kNoService, {}};
+    }
     std_srvs::Trigger stop;
     ros::ServiceClient client = client_;
     if (client.call(stop)) {

@@ -37,7 +37,8 @@ class StopLine {
   bool ended() const { return ended_; }
   /// Begins a call. While an earlier one waits for its answer this one follows it, one for all that are asked for
   /// meanwhile: the robot may have been told and cleared since. After some seconds the earlier one is given up, and
-  /// made again over a new connection.
+  /// made again over a new connection. One that cannot begin for half a minute, because connecting takes as long, is
+  /// not made any more: somebody may have seen to the robot and started it meanwhile.
   void ask();
   /// The answer to the call begun last; kSilent if there is none at `deadline`.
   StopAnswer answerUntil(SteadyTime deadline);
@@ -50,7 +51,8 @@ class StopLine {
   void connect();
   bool isConnected();
   void disconnect();
-  StopAnswer call();
+  /// `kNoService` if it cannot begin before `latest`.
+  StopAnswer call(SteadyTime latest);
 
   ros::NodeHandle node_;
   std::string service_;
@@ -61,6 +63,7 @@ class StopLine {
   std::condition_variable wake_;
   bool ending_ = false;
   std::uint64_t asked_ = 0;                  ///< calls begun
+  SteadyTime asked_at_;                      ///< when the last one was
   std::uint64_t answered_ = 0;               ///< calls that have ended
   std::optional<SteadyTime> calling_since_;  ///< while a call is under way
   StopAnswer answer_;                        ///< to the last call that has ended

@@ -50,12 +50,11 @@ void FleetMotions::connect(NodeConnections& connections, ros::NodeHandle& node, 
   diagnostics.add("traffic", [this](auto& status) { report(status); });
 }
 
-navigation::NavOrder FleetMotions::order(const navigation::Navigator& navigator,
-                                         const std::optional<StampedPose2>& T_map_base,
+navigation::NavOrder FleetMotions::order(const navigation::Navigator& navigator, const Pose2& T_map_base,
                                          const std::optional<Pose2>& goal, const OccupancyGrid& map, Time now) {
-  if (channel_.isAlone() || !T_map_base || !T_map_base->pose.isFinite()) return {};
+  if (channel_.isAlone() || !T_map_base.isFinite()) return {};
   fleet::TrafficInputs inputs;
-  inputs.T_map_base = T_map_base->pose;
+  inputs.T_map_base = T_map_base;
   if (goal) inputs.goal = goal->position();
   inputs.path = navigator.wayAhead();
   inputs.aside_failed = aside_failed_;

@@ -36,8 +36,11 @@ class FleetMotions {
   /// Does nothing for a robot without a name in a fleet, as nothing else of it does then.
   void connect(NodeConnections& connections, ros::NodeHandle& node, NodeDiagnostics& diagnostics);
   /// What the navigator has to do now; `goal` is the one that it pursues. Tells the others, if it is time again.
-  navigation::NavOrder order(const navigation::Navigator& navigator, const std::optional<StampedPose2>& T_map_base,
+  /// Without a pose that it can trust the robot is an obstacle like any other for them, and they for it.
+  navigation::NavOrder order(const navigation::Navigator& navigator, const Pose2& T_map_base,
                              const std::optional<Pose2>& goal, const OccupancyGrid& map, Time now);
+  /// While the robot does not know where it is.
+  void forget() { rule_.forget(); }
   /// Whether the navigator found a way to the place where it had to go.
   void note(const navigation::NavigatorOutput& output);
 

@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/Twist.h>
 
+#include <cmath>
 #include <utility>
 
 #include "frontier_pilot/system/behavior_ladder.h"
@@ -99,7 +100,10 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   inputs.localized = localization_.isLocalizedAt(inputs.pose);
   inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
   server_.fill(inputs);
-  inputs.order = motions_.order(navigator_, inputs.pose, server_.goal(), map_.map(), now);
+  const bool knows_where =
+      inputs.localized && inputs.pose && std::abs(toSeconds(now - inputs.pose->stamp)) <= parameters_.max_age;
+  if (!knows_where) motions_.forget();
+  if (knows_where) inputs.order = motions_.order(navigator_, inputs.pose->pose, server_.goal(), map_.map(), now);
   return inputs;
 }
 
