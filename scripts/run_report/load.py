@@ -15,7 +15,7 @@ class Load:
     def __init__(self):
         self.nodes = {}
         self.pids = {}
-        self.restarts = []  # (time [s], node) of those that went on as another process
+        self._restarts = []  # as `restarts` gives them
         self.wall = []  # (time [s], real time [s since the epoch], number) of the messages
 
     def take(self, time, message):
@@ -24,7 +24,7 @@ class Load:
         self.wall.append((time, message.wall_time, message.header.seq))
         for process in message.processes:
             if self.pids.setdefault(process.node, process.pid) != process.pid:
-                self.restarts.append((time, process.node))
+                self._restarts.append((time, process.node))
             self.pids[process.node] = process.pid
             self.nodes.setdefault(process.node, []).append((time, process.cpu, process.memory))
 
@@ -32,6 +32,11 @@ class Load:
         """Whether a later message has an earlier time."""
         numbers = [number for _, _, number in self.wall]
         return numbers != sorted(numbers)
+
+    def restarts(self):
+        """(time [s], node) of those that went on as another process. None after the clock was set back, when the samples of before and
+        after that lie between each other."""
+        return [] if self.was_set_back() else self._restarts
 
     def rows(self):
         """(node, mean CPU, greatest CPU, greatest memory [bytes]), the busiest node first."""

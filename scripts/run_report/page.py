@@ -84,10 +84,12 @@ def map_section(run):
 def drivers_section(run):
     rows = [(name, duration(total(spans)), '%d' % len(spans)) for name, spans in time_plots.driver_rows(run)]
     left_out = len(rows) - time_plots.MOST_SOURCES
-    note = '<p class="quiet">and %d more, which drove for less time</p>' % left_out if left_out > 0 else ''
+    note = '<p class="quiet">and %d more, which were in command for less time</p>' % left_out if left_out > 0 else ''
     return section('who-drove', 'Who drove when', plot(time_plots.drivers_plot(run)), note,
-                   table(('source', 'drove for', 'times'), rows, 'numbers'),
-                   about='The sources of velocity commands that the arbiter forwarded. In the gaps the robot was commanded to stand.')
+                   table(('source', 'in command for', 'times'), rows, 'numbers'),
+                   about='Whose velocity commands the arbiter forwarded. A source that sends zeros is in command, too, and keeps those of lower '
+                         'priority from driving. '
+                         'In the gaps nobody was, and the robot stood.')
 
 
 def duration(seconds):

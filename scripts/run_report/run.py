@@ -109,9 +109,12 @@ class Run:
 
     def _measure_real_time(self, bags):
         """Without the jumps of a computer's clock that was set meanwhile; gives whether there were any."""
-        infos = [(time, info['wall_time'], number) for info, time, number in
-                 ((self.start_info, self.begin, -1), (self.end_info, self.end, math.inf)) if info]
-        samples = sorted(infos + self.load.wall, key=lambda sample: sample[2])
+        samples = sorted(self.load.wall, key=lambda sample: sample[2])
+        if self.end_info:
+            samples.append((self.end, self.end_info['wall_time'], math.inf))
+        # A record may begin later than its recorder: when its oldest part was removed, the disk was full, or there was no clock yet.
+        if self.start_info and not (self.load.wall and samples[0][1] - self.start_info['wall_time'] > SILENCE):
+            samples.insert(0, (self.begin, self.start_info['wall_time'], -1))
         steps = [(after - before, bags.has_a_break(since, until))
                  for (since, before, _), (until, after, _) in zip(samples, samples[1:])]
         if not steps:
@@ -202,8 +205,12 @@ class Run:
         self.actions.append((time, action, text))
 
     def status(self):
-        """The Progress of the explorer's last status, with counts of the whole run; None if there is none."""
-        return self.explorer[-1][1]._replace(**self.counts.whole()) if self.explorer else None
+        """The Progress of the explorer's last status, with counts of the whole run; None if there is none. After the clock was set back
+        statuses of before and after that lie between each other, and the counts are those of the last one."""
+        if not self.explorer:
+            return None
+        last = self.explorer[-1][1]
+        return last if self.load.was_set_back() else last._replace(**self.counts.whole())
 
     def recoveries(self):
         """The spans (begin, end) in which the navigation recovered."""

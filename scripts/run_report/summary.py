@@ -121,7 +121,7 @@ def to_look_at(run):
         if finding.level == 'ERROR':
             items.append(('ERROR', 'From %s on, %s: %s' % (clock(finding.spans[0][0] - run.begin), finding.who, finding.text)))
     items += [('ERROR', '%s ended, and went on as another process at %s.' % (node, clock(time - run.begin)))
-              for time, node in run.load.restarts]
+              for time, node in run.load.restarts()]
     busy = [row for row in run.load.rows() if row[1] > 0.8]
     items += [('WARN', '%s used %.0f %% of a core on average.' % (row[0], 100.0 * row[1])) for row in busy]
     return items

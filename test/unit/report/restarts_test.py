@@ -3,6 +3,8 @@
 import unittest
 from types import SimpleNamespace
 
+import rosbag
+import rospy
 from frontier_pilot.msg import ProcessLoad, ProcessLoads
 
 from folder_case import FolderCase
@@ -31,12 +33,40 @@ class AnExplorerThatWasStartedAgain(unittest.TestCase):
         self.assertEqual(counts.take(status(1, 2.5))['distance_travelled'], 2.5)
 
 
+class AClockThatWasSetBack(FolderCase):
+    def test_does_not_let_counts_of_before_and_after_it_be_added_again_and_again(self):
+        path = self.path('run_0.bag')
+        synthetic_bag.write(path)
+        with rosbag.Bag(path, 'a') as bag:
+            for at, number in ((20.0, 2), (21.0, 1)):
+                load = ProcessLoads(wall_time=1.7e9)
+                load.header.seq = number
+                bag.write('/run_recorder/load', load, rospy.Time.from_sec(synthetic_bag.BEGIN + at))
+            for second in range(20, 50):  # of the second time that these seconds were recorded
+                bag.write('/frontier_explorer/status', synthetic_bag.explorer_status(second - 19),
+                          rospy.Time.from_sec(synthetic_bag.BEGIN + second + 0.5))
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        self.assertTrue(run.load.was_set_back())
+        self.assertEqual(run.status(), run.explorer[-1][1])
+        self.assertGreater(run.counts.whole()['distance_travelled'], run.status().distance_travelled)
+
+
 class ANodeThatDied(FolderCase):
     def test_is_known_by_its_next_process(self):
         load = Load()
         for time, pid in ((1.0, 7), (2.0, 7), (3.0, 9), (4.0, 9)):
             load.take(time, ProcessLoads(wall_time=1.7e9 + time, processes=[ProcessLoad('/mapper', pid, 0.1, 5)]))
-        self.assertEqual(load.restarts, [(3.0, '/mapper')])
+        self.assertEqual(load.restarts(), [(3.0, '/mapper')])
+
+    def test_is_not_told_from_one_whose_samples_lie_between_those_of_before_because_the_clock_was_set_back(self):
+        load = Load()
+        for number, pid in ((1, 7), (30, 9), (2, 7), (31, 9)):  # as a bag gives them, by time
+            loads = ProcessLoads(wall_time=1.7e9, processes=[ProcessLoad('/mapper', pid, 0.1, 5)])
+            loads.header.seq = number
+            load.take(float(number), loads)
+        self.assertEqual(load.restarts(), [])
 
     def test_is_worth_a_look(self):
         path = self.path('run_0.bag')
@@ -45,7 +75,7 @@ class ANodeThatDied(FolderCase):
         with BagFiles([path]) as bags:
             run.read(bags)
         before = summary.to_look_at(run)
-        run.load.restarts.append((run.begin + 3.0, '/mapper'))
+        run.load._restarts.append((run.begin + 3.0, '/mapper'))
         self.assertEqual([item for item in summary.to_look_at(run) if item not in before],
                          [('ERROR', '/mapper ended, and went on as another process at 0:03.')])
 

@@ -153,6 +153,13 @@ class Reading(FolderCase):
             bags = mock.Mock(has_a_break=lambda begin, end: False)
             self.assertEqual((run._measure_real_time(bags), round(run.real_seconds)), (jumped, seconds), walls)
 
+    def test_a_record_that_begins_later_than_its_recorder_tells_nothing_of_the_computers_clock(self):
+        run = Run()
+        run.begin, run.start_info = 1000.0, {'wall_time': 0.0}  # its oldest part was removed
+        run.load.wall = [(1000.0 + 2.0 * number, 1000.0 + 2.0 * number, number) for number in range(5)]
+        bags = mock.Mock(has_a_break=lambda begin, end: False)
+        self.assertEqual((run._measure_real_time(bags), round(run.real_seconds)), (False, 8))
+
     def test_a_time_without_any_message_is_said_to_be_of_the_clock(self):
         path = self.path('run_0.bag')
         with rosbag.Bag(path, 'a') as bag:
@@ -251,7 +258,7 @@ class Reading(FolderCase):
         drawn = re.search('<svg[^>]*class="drivers".*?</svg>', made, re.DOTALL).group()
         self.assertEqual([name in drawn for name in ('>nav<', '>long<', '>source 4000<')], [True, True, False])
         self.assertLess(float(re.search(r'viewBox="0 0 [\d.]+ ([\d.]+)"', drawn).group(1)), 500.0)
-        self.assertIn('and 4982 more, which drove for less time', made)
+        self.assertIn('and 4982 more, which were in command for less time', made)
 
     def test_a_run_of_many_statuses_takes_no_memory_for_the_frontiers_of_earlier_ones(self):
         path = self.path('frontiers.bag')
