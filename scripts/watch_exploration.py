@@ -3,8 +3,8 @@
 or when its terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved. It waits for an
 explorer that has died, unless the program that started it has ended too.
 
-Exit code: 0 when no reachable frontier is left and the map was saved where it was to be, 130 after Ctrl-C, 143 after SIGTERM, 129 when
-the terminal was closed, 141 when nobody reads the output any more, 1 otherwise.
+Exit code: 0 when no reachable frontier is left, or a stopping rule has ended the exploration, and the map was saved where it was to be,
+130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal was closed, 141 when nobody reads the output any more, 1 otherwise.
 """
 import argparse
 import math
@@ -90,9 +90,15 @@ class Watcher:
 
     def line(self):
         status = self.status
-        return '%6.0f s  explored %7.1f m2%s  driven %6.1f m  frontiers %3d  goals: %s  %s: %s' % (
+        return '%6.0f s  explored %7.1f m2%s  driven %6.1f m  frontiers %3d  goals: %s  %s: %s%s' % (
             self.elapsed(), status.explored_area, estimate_of(status), status.distance_travelled, status.frontiers_selectable,
-            goals_of(status), status.state_text, status.reason_text)
+            goals_of(status), status.state_text, status.reason_text, self.way_out_of_a_pause())
+
+    def way_out_of_a_pause(self):
+        """How an exploration that had begun goes on after it was paused, by somebody or because a stop was cleared."""
+        if self.started is None or self.status.reason != ExplorerStatus.PAUSED:
+            return ''
+        return '; "rosservice call %s true" resumes it' % rospy.resolve_name('set_exploration_enabled')
 
     def knows_a_map(self):
         return self.status is not None and self.status.explored_area > 0.0

@@ -1,5 +1,6 @@
 """Processes of the attack: they end with the process that has started them, and by a mark that they inherit."""
 import os
+import random
 import signal
 import socket
 import subprocess
@@ -33,7 +34,12 @@ def end(process, number=signal.SIGINT, patience=20.0):
 
 
 def free_port():
-    """A port of the loopback interface on which nothing listens."""
-    with socket.socket() as listener:
-        listener.bind(('127.0.0.1', 0))
-        return listener.getsockname()[1]
+    """A port of the loopback interface on which nothing listens, and that the system gives to nobody who does not ask for it."""
+    while True:
+        port = random.randrange(12000, 32000)
+        with socket.socket() as listener:
+            try:
+                listener.bind(('127.0.0.1', port))
+                return port
+            except OSError:
+                pass

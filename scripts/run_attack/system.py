@@ -12,6 +12,7 @@ import rosgraph
 import rospy
 
 import leftovers
+import ros_program
 from run_attack import environment, processes
 
 CALLER = '/attack'
@@ -47,7 +48,7 @@ class System:
 
     def start_master(self):
         self.master = processes.start(['rosmaster', '--core', '-p', str(self._port)], self.path('master.log'))
-        if not wait_until(lambda: master_answers(), 20.0):
+        if not wait_until(lambda: ros_program.is_master_online(CALLER), 20.0):
             raise OSError('no master at port %d' % self._port)
 
     def start_launch(self):
@@ -95,14 +96,6 @@ def join(name):
     rospy.init_node(name, disable_signals=True, log_level=rospy.FATAL)
     for logger in ('rosout', 'rospy', 'rospy.internal'):
         logging.getLogger(logger).setLevel(logging.CRITICAL)
-
-
-def master_answers():
-    try:
-        rosgraph.Master(CALLER).getPid()
-        return True
-    except (OSError, rosgraph.MasterException):
-        return False
 
 
 def pid_of(node):

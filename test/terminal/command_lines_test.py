@@ -128,6 +128,9 @@ class CommandLines(unittest.TestCase):
                 done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stdout=full, stderr=subprocess.PIPE,
                                       timeout=60, stdin=subprocess.DEVNULL, universal_newlines=True)
                 self.assertEqual((done.returncode, done.stderr), (1, '%s: cannot write its output: No space left on device\n' % name))
+                done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stdout=full, stderr=full, timeout=60,
+                                      stdin=subprocess.DEVNULL)
+                self.assertEqual(done.returncode, 1)
 
     def test_a_python_program_answers_help_also_with_closed_streams(self):
         for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report'):

@@ -11,14 +11,9 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'scripts'))
 import leftovers  # noqa: E402
+from run_attack.processes import free_port  # noqa: E402
 
 RUN = str(ROOT / 'scripts/run')
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
 
 
 def environment(port, home):

@@ -132,6 +132,20 @@ class Abandoned(unittest.TestCase):
         self.assertIn('the explorer has not been heard for 585 s', self.out.getvalue())
 
 
+class Line(unittest.TestCase):
+    def test_a_line_about_a_paused_exploration_says_how_it_goes_on(self):
+        way_out = 'IDLE: paused; "rosservice call /set_exploration_enabled true" resumes it'
+        paused = {'reason': ExplorerStatus.PAUSED, 'state_text': 'IDLE', 'reason_text': 'paused'}
+        with mock.patch('rospy.Subscriber'), mock.patch('rospy.resolve_name', lambda name: '/' + name):
+            watcher = watch_exploration.Watcher(5.0)
+            watcher.on_status(ExplorerStatus(**paused))
+            self.assertNotIn(way_out, watcher.line(), 'it has not begun')
+            watcher.on_status(ExplorerStatus(goals_sent=1, **paused))
+            self.assertIn(way_out, watcher.line())
+            watcher.on_status(ExplorerStatus(goals_sent=1, reason=ExplorerStatus.GOAL_SENT))
+            self.assertNotIn('rosservice', watcher.line())
+
+
 class Start(unittest.TestCase):
     def setUp(self):
         self.calls, self.clock = [], 100.0
