@@ -31,7 +31,7 @@ Arguments::Arguments(const std::vector<std::string>& words) {
 const std::string& Arguments::next() { return option_ = words_[next_++]; }
 
 const std::string& Arguments::text() {
-  if (atEnd()) throw std::invalid_argument(option_ + " needs a value");
+  if (atEnd() || words_[next_].empty()) throw std::invalid_argument(option_ + " needs a value");
   return words_[next_++];
 }
 

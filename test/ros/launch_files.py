@@ -151,6 +151,9 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertEqual((given['robot/base_frame'], given['robot/odom_frame'], given['robot/odometry']),
                                  ('base_link', 'wheels', 'tf'), file + ' ' + name)
                 self.assertEqual(given.get('map_frame'), 'floor' if type_name in NEEDS_MAP_FRAME else None, name)
+            for type_name, given in self.load(file, robot='waffle', base_frame='7', odom_frame='8').values():
+                if type_name not in NEEDS_NOTHING:
+                    self.assertEqual((given['robot/base_frame'], given['robot/odom_frame']), ('7', '8'), file)
 
     def test_topics_of_a_foreign_robot_replace_ours(self):
         """[ROB-2]"""

@@ -56,7 +56,8 @@ struct ScannerModel {
     v.field("y", y, "m", "where the scanner sits, to the left of the base's origin", between(-5.0, 5.0));
     v.field("yaw", yaw, "rad", "which way the scanner looks", between(-2.0 * kPi, 2.0 * kPi));
     v.field("rate", rate, "Hz", "scans per second", between(0.1, 100.0));
-    v.field("beams", beams, "", "number of beams, spread evenly over the field of view", between(1, 100000));
+    v.field("beams", beams, "", "number of beams, spread evenly over the field of view",
+            between(1, static_cast<int>(bounds::kMostRanges)));
     v.field("angle_min", angle_min, "rad", "angle of the first beam in the scanner's frame",
             between(-2.0 * kPi, 2.0 * kPi));
     v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});

@@ -39,6 +39,7 @@ TEST(Arguments, NameTheOptionThatLacksItsValue) {
     return "none";
   };
   EXPECT_EQ(problemOf({"--range"}), "--range needs a value");
+  EXPECT_EQ(problemOf({"--range", ""}), "--range needs a value");
   EXPECT_EQ(problemOf({"--range", "far"}), "--range needs a number, not 'far'");
   EXPECT_EQ(problemOf({"--range", "2m"}), "--range needs a number, not '2m'");
   EXPECT_EQ(problemOf({"--range", "inf"}), "--range needs a finite number");
