@@ -74,7 +74,7 @@ class ExplorerHeldUp(ExplorerCase):
         self.assertTrue(self.comes(lambda status: status.reason == Status.PAUSED, 30.0), self.status.last)
         self.assertEqual([], self.robot.goals, '[ARB-8]')
         self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
-        self.assertTrue(wait_for(lambda: self.robot.goals, 30.0), 'then it goes on')
+        self.assertTrue(wait_for(lambda: self.robot.goals, 30.0), ('then it goes on', self.status.last))
 
 
 if __name__ == '__main__':
