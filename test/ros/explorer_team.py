@@ -52,7 +52,7 @@ class ExplorerTeam(ExplorerCase):
         self.robot.held.set()
         self.addCleanup(self.robot.held.clear)
         self.explore()
-        self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own())))
+        self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own()), 30.0))
         count = len(self.own())
         rospy.sleep(4.0)
         self.assertGreaterEqual(len(self.own()) - count, 4)
@@ -66,7 +66,7 @@ class ExplorerTeam(ExplorerCase):
         self.robot.held.set()
         self.addCleanup(self.robot.held.clear)
         self.explore()
-        self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own())))
+        self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own()), 30.0))
         places = [(claim.x, claim.y) for claim in self.own()[-1].claims]
         began = rospy.Time.now()
         while not self.comes(lambda status: status.reason == Status.LEFT_TO_OTHERS, 0.5):
@@ -87,7 +87,7 @@ class ExplorerTeam(ExplorerCase):
         self.robot.held.set()
         self.addCleanup(self.robot.held.clear)
         self.explore()
-        self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own())))
+        self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own()), 30.0))
         places = [(claim.x, claim.y) for claim in self.own()[-1].claims]
         self.status.items.clear()
         cases = (('another version of the protocol', {'version': 2}),
