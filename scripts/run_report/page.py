@@ -128,8 +128,9 @@ def log_table(run):
 
 def diagnostics_section(run):
     log = log_table(run)
-    return section('diagnostics', 'What was wrong when', findings_table(run, run.warnings.diagnostics) or
-                   '<p class="fine">Every line of the diagnostics was OK throughout.</p>',
+    nothing = '<p class="fine">Every line of the diagnostics was OK throughout.</p>' if '/diagnostics' in run.heard else \
+        '<p class="quiet">No diagnostics were recorded.</p>'
+    return section('diagnostics', 'What was wrong when', findings_table(run, run.warnings.diagnostics) or nothing,
                    '<h3>Warnings and errors in the log</h3>' + log if log else '',
                    about='Lines of the diagnostics that were not OK; those that differ only in numbers are one row.')
 

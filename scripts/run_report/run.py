@@ -70,8 +70,8 @@ class Run:
         self.frontiers = []  # (x, y) of the last status [m]
         self.source, self.stop, self.contact = States(), States(), States()
         self.recovery, self.avoiding = States(), States()
-        self.stalls_known = False  # whether the robot can tell that it touches something
         self.actions = []  # (time, action, text of the result)
+        self.heard = set()  # the roles of which there was a message that could be used
         self.takes = {
             'map': self._map, 'map_updates': lambda _, update: self.map.change(update),
             '/tf': self._tf, '/tf_static': self._tf, 'cmd_vel_arbiter/status': self._arbiter,
@@ -95,6 +95,7 @@ class Run:
             self.begin, self.end = min(self.begin, time), max(self.end, time)
             try:
                 self._take(roles[topic], time, message)
+                self.heard.add(roles[topic])
             except (AttributeError, TypeError, ValueError) as error:  # as of another version of the package
                 note = '%s has messages that are not understood: %s' % (topic, error)
                 if note not in self.notes:
@@ -196,7 +197,6 @@ class Run:
         self.counts.take(progress)
 
     def _stalled(self, time, message):
-        self.stalls_known = True
         self.contact.add(time, bool(message.data))
 
     def _action(self, action, time, message):

@@ -7,6 +7,10 @@ from .intervals import merged, total
 from .progress import DONE, NAVIGATING
 from .warnings import Warnings
 
+# What a page cannot tell of a record that lacks a topic.
+NOT_RECORDED = (('cmd_vel_arbiter/status', 'Nothing of the arbiter was recorded: whether the robot was stopped, and who drove it, is not known.'),
+                ('/diagnostics', 'No diagnostics were recorded: whether a node found something wrong is not known.'))
+
 
 def duration(seconds):
     """In words: 48 s, 5 min 12 s, 1 h 3 min."""
@@ -89,27 +93,31 @@ def end_words(run):
 
 
 def incident_counts(run):
-    """(emergency stops, contacts, recoveries); contacts are None where the robot cannot tell."""
-    stops, contacts = len(merged(run.stop.those(run.end))), len(run.contact.those(run.end))
-    return stops, contacts if run.stalls_known else None, len(run.recoveries())
+    """(emergency stops, contacts, recoveries), each None where nothing was recorded that tells of it."""
+    counts = len(merged(run.stop.those(run.end))), len(run.contact.those(run.end)), len(run.recoveries())
+    return tuple(count if role in run.heard else None
+                 for count, role in zip(counts, ('cmd_vel_arbiter/status', 'simulator/stalled', 'navigator/status')))
 
 
 def incident_words(run):
-    stops, contacts, recoveries = incident_counts(run)
-    words = [counted(stops, 'emergency stop')]
-    words += [counted(contacts, 'contact')] if contacts is not None else []
-    words.append(counted(recoveries, 'recovery', 'recoveries'))
-    text = 'There was %s and %s.' if max(stops, contacts or 0, recoveries) <= 1 else 'There were %s and %s.'
-    return text % (', '.join(words[:-1]), words[-1])
+    names = ('emergency stop',), ('contact',), ('recovery', 'recoveries')
+    known = [(count, name) for count, name in zip(incident_counts(run), names) if count is not None]
+    if not known:
+        return ''
+    words = [counted(count, *name) for count, name in known]
+    listed = ', '.join(words[:-1]) + ' and ' + words[-1] if len(words) > 1 else words[0]
+    return '%s %s.' % ('There was' if max(count for count, _ in known) <= 1 else 'There were', listed)
 
 
 def sentences(run):
-    return [subject(run) + ' ' + time_words(run) + '.', exploration_words(run), end_words(run), incident_words(run)]
+    words = subject(run) + ' ' + time_words(run) + '.', exploration_words(run), end_words(run), incident_words(run)
+    return [sentence for sentence in words if sentence]
 
 
 def to_look_at(run):
     """What deserves a look: (level, words)."""
     items = [('WARN', note) for note in run.notes]
+    items += [('WARN', words) for role, words in NOT_RECORDED if role not in run.heard]
     for begin, end, cause in run.stop.those(run.end):
         items.append(('ERROR', 'Emergency stop at %s, for %s: %s' % (clock(begin - run.begin), duration(end - begin), cause)))
     contacts = run.contact.those(run.end)
@@ -142,11 +150,8 @@ def tiles(run):
             out.append(('share', 'of the whole, estimated', status.share_explored, '%.0f %%' % (100.0 * status.share_explored)))
     else:
         out.append(('distance', 'moved', run.track.length, '%.1f m' % run.track.length))
-    stops, contacts, recoveries = incident_counts(run)
-    out.append(('stops', 'emergency stops', stops, '%d' % stops))
-    if contacts is not None:
-        out.append(('contacts', 'contacts', contacts, '%d' % contacts))
-    out += [('recoveries', 'recoveries', recoveries, '%d' % recoveries),
-            ('loops', 'loops closed', run.warnings.loops[-1][1] if run.warnings.loops else 0,
+    names = ('stops', 'emergency stops'), ('contacts', 'contacts'), ('recoveries', 'recoveries')
+    out += [(*name, count, '%d' % count) for name, count in zip(names, incident_counts(run)) if count is not None]
+    out += [('loops', 'loops closed', run.warnings.loops[-1][1] if run.warnings.loops else 0,
              '%d' % (run.warnings.loops[-1][1] if run.warnings.loops else 0))]
     return out

@@ -6,6 +6,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import termios
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -47,8 +48,12 @@ class RunTestCase(unittest.TestCase):
         return subprocess.Popen([RUN, *words], cwd=self.folder.name, universal_newlines=True, **how)
 
     def start_in_terminal(self, *words):
-        """Like `start`, in a terminal of its own, which closes with the returned process' stdout."""
+        """Like `start`, in a terminal of its own, which closes with the returned process' stdout. As after `stty tostop`, it stops what
+        writes to it from the background."""
         screen, terminal = os.openpty()
+        attributes = termios.tcgetattr(terminal)
+        attributes[3] |= termios.TOSTOP
+        termios.tcsetattr(terminal, termios.TCSANOW, attributes)
         process = self.start(*words, stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=False,
                              preexec_fn=lambda: (os.login_tty(os.dup(terminal)), heed_ctrl_c()))
         os.close(terminal)

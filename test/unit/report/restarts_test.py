@@ -6,10 +6,11 @@ from types import SimpleNamespace
 import rosbag
 import rospy
 from frontier_pilot.msg import ProcessLoad, ProcessLoads
+from std_msgs.msg import Bool
 
 from folder_case import FolderCase
 import synthetic_bag
-from run_report import summary
+from run_report import page, summary
 from run_report.bag_files import BagFiles
 from run_report.load import Load
 from run_report.progress import Counts
@@ -51,6 +52,24 @@ class AClockThatWasSetBack(FolderCase):
         self.assertTrue(run.load.was_set_back())
         self.assertEqual(run.status(), run.explorer[-1][1])
         self.assertGreater(run.counts.whole()['distance_travelled'], run.status().distance_travelled)
+
+
+class ARecordThatLacksTopics(FolderCase):
+    def test_does_not_say_that_nothing_happened_of_which_nothing_was_recorded(self):
+        path = self.path('scan.bag')
+        with rosbag.Bag(path, 'w') as bag:
+            for second in range(5):
+                bag.write('/simulator/stalled', Bool(False), rospy.Time(100 + second))
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        self.assertEqual(summary.incident_counts(run), (None, 0, None))
+        self.assertEqual(summary.sentences(run)[-1], 'There was no contact.')
+        self.assertEqual([words.split(':')[0] for _, words in summary.to_look_at(run)][-2:],
+                         ['Nothing of the arbiter was recorded', 'No diagnostics were recorded'])
+        made = page.page(run, [], True, [path])
+        self.assertNotIn('Nothing went wrong', made)
+        self.assertNotIn('was OK throughout', made)
 
 
 class ANodeThatDied(FolderCase):
