@@ -3,11 +3,12 @@
 import os
 import shutil
 import signal
+import threading
 import time
 
 import rospy
 import rostest
-from frontier_pilot.srv import LoadMap
+from frontier_pilot.srv import LoadMap, SaveMap
 from std_srvs.srv import Trigger
 
 from mapper_case import SMALL, MapperCase, kept_maps, newest_map, poses_of_the_session, written_maps
@@ -69,6 +70,29 @@ class MapperAutosave(MapperCase):
             wait_for(lambda: self.say_where() and False, 3.0)
             self.assertEqual(self.known(), known, 'the map of before is not put back [FLT-2]')
             mapper.end()
+
+    @staticmethod
+    def save_unless_killed():
+        """The thread of the mapper that answers this also saves the copy."""
+        try:
+            rospy.ServiceProxy('mapper/save_map', SaveMap)(os.environ['ROS_HOME'] + '/saved')
+        except rospy.ServiceException:
+            pass
+
+    def test_a_map_that_was_loaded_is_kept_when_the_mapper_dies_just_after_its_answer(self):  # [FLT-2]
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        for _ in range(3):
+            saving = threading.Thread(target=self.save_unless_killed)
+            saving.start()
+            self.assertTrue(call('mapper/load_map', LoadMap, SMALL).success)
+            mapper.signal(signal.SIGKILL)
+            saving.join()
+            mapper.finish()
+            self.assertTrue(kept_maps())
+            self.forget_the_map()
+            mapper = Node('mapper')
+            self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), '[FLT-2]')
 
     def test_a_map_file_does_not_replace_the_kept_map_before_the_first_odometry(self):  # [FLT-2]
         self.leave_a_map('_map_file:=' + SMALL)

@@ -115,8 +115,9 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, Ma
   remember(T_map_odom, has.rendered);
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
+  ended_ = std::make_shared<std::atomic<bool>>(false);
   saver.run([snapshot = map_files::takeSnapshot(map), pose = toText({T_map_odom, map_file_}), memory = memory_,
-             wanted = wanted_, done = done_, rendered = has.rendered] {
+             wanted = wanted_, done = done_, ended = ended_, rendered = has.rendered] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
       std::string why = *wanted ? frontier_pilot::save(snapshot, pose, memory, *wanted) : std::string();
@@ -126,6 +127,7 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, Ma
     });
     const SteadyTime at = steadyNow();
     done->put({std::move(problem), at, at - begun, rendered});
+    *ended = true;
   });
   schedule_.begin(content, now);
 }

@@ -47,6 +47,8 @@ class MapAutosave {
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
   void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, MapContent has, MapSaver& saver);
+  /// Whether the save that was begun last has not ended yet.
+  bool isSaving() const { return ended_ && !*ended_; }
   /// Keeps `T_map_odom` beside the copy that there is, without saving the map. If the map was rendered again since, the
   /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const Pose2& T_map_odom, std::uint64_t rendered);
@@ -85,6 +87,7 @@ class MapAutosave {
   SessionMemory memory_;                       ///< holds a KeptPose; the map's files lie beside it
   std::shared_ptr<std::atomic<bool>> wanted_;  ///< false once the copy being saved is obsolete
   std::shared_ptr<Mailbox<Saved>> done_;
+  std::shared_ptr<std::atomic<bool>> ended_;  ///< whether the save that was begun last has
   SaveSchedule schedule_;
   std::uint64_t rendered_ = 0;               ///< how often the map of the copy had been rendered again
   std::string problem_, pose_problem_;       ///< why the last map, and the last pose, could not be saved

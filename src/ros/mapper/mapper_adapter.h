@@ -74,6 +74,7 @@ class MapperAdapter {
   void putAside(const std::string& other_map_file);
   void resume(const Pose2& T_odom_base);
   void autosave();
+  void awaitAutosave();
   void sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base);
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
   bool handleLoad(LoadMap::Request& request, LoadMap::Response& response);

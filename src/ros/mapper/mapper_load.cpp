@@ -1,11 +1,14 @@
 #include <Eigen/Core>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
+#include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/frame_name.h"
@@ -65,11 +68,20 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
     restored_.reset();  // a map that was kept is not wanted any more
     autosave_.forget();
     autosave();
+    awaitAutosave();  // a mapper that dies after its answer has the map that was loaded
     THROTTLED_INFO(result.text);
   } else {
     THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
   }
   return true;
+}
+
+void MapperAdapter::awaitAutosave() {
+  const SteadyTime end = steadyNow() + std::chrono::seconds(5);
+  while (autosave_.isSaving() && steadyNow() < end) {
+    saver_.provide(mapper_.map());  // the thread that saves it may have a call of save_map to answer first
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg) {

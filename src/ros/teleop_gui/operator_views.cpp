@@ -150,7 +150,7 @@ std::string endText(const ExplorerStatus& msg) {
 
 std::string mapText(const ExplorerStatus& msg) {
   if (!msg.map_saved.empty()) return msg.map_saved;
-  return msg.save_map_at_end.empty() ? "not saved at the end" : "saved at the end: " + msg.save_map_at_end;
+  return msg.save_map_at_end.empty() ? "not saved by the explorer" : "saved at the end: " + msg.save_map_at_end;
 }
 
 teleop::SectorView toSectorView(const avoid::Sector& sector, double stop, double clear) {
