@@ -41,6 +41,7 @@ class ForeignRobot:
         self.goals = []
         self.track = []
         self.held = threading.Event()
+        self.odometry_lives, self.odometry_ahead = True, 0.0  # whether it is told, and how far ahead of the clock [s]
         self._odom = rospy.Publisher('odom', Odometry, queue_size=10)
         self._tf = tf2_ros.TransformBroadcaster()
         self._map = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
@@ -58,9 +59,11 @@ class ForeignRobot:
     def _tell(self, _):
         now = rospy.Time.now()
         odom = Odometry()
-        odom.header.stamp, odom.header.frame_id, odom.child_frame_id = now, 'odom', 'base_footprint'
+        odom.header.stamp = now + rospy.Duration(self.odometry_ahead)
+        odom.header.frame_id, odom.child_frame_id = 'odom', 'base_footprint'
         odom.pose.pose.orientation.w = 1.0
-        self._odom.publish(odom)
+        if self.odometry_lives:
+            self._odom.publish(odom)
         transform = TransformStamped()
         transform.header.stamp, transform.header.frame_id, transform.child_frame_id = now, 'map', 'base_footprint'
         transform.transform.translation.x, transform.transform.translation.y = self.position

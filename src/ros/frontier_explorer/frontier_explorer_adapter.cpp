@@ -1,5 +1,8 @@
 #include <geometry_msgs/PoseStamped.h>
 
+#include <algorithm>
+
+#include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/odometry_source.h"
@@ -50,7 +53,7 @@ void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   std::string why;
   const auto odometry = toOdometry(msg, &why);
   if (!odometry) return bad_odometry_.add(why);
-  odometry_stamp_ = odometry->stamp;
+  odometry_stamp_ = std::min(odometry->stamp, rosNow());  // a stamp ahead of the clock would keep it fresh for as long
 }
 
 /// After a hold-up the explorer first reads what came meanwhile, such as a stop; but a pause takes effect at once.
