@@ -12,6 +12,12 @@ namespace {
 
 constexpr int kFleetRefreshPeriod = 200;  // [ms]
 
+teleop::OperatorRequest stopRequest() {
+  teleop::OperatorRequest stop;
+  stop.kind = teleop::OperatorRequest::Kind::kEmergencyStop;
+  return stop;
+}
+
 }  // namespace
 
 FleetWindow::FleetWindow(teleop::FleetLink& link)
@@ -44,6 +50,7 @@ void FleetWindow::release() {
 void FleetWindow::choose(const std::string& robot) {
   if (released_ || robot == chosen_) return;
   chosen_ = robot;
+  stop_when_opened_ = false;
   widget_->stopBecause("another robot was chosen");
   fleet_link_.open(robot);
 }
@@ -57,6 +64,7 @@ void FleetWindow::showRobot(teleop::OpenedRobot robot) {
   widget_ = std::make_unique<PilotWidget>(robot.parameters);
   layout_->addWidget(widget_.get(), 1);
   controller_ = std::make_unique<PilotController>(*widget_, *link_, fromSeconds(robot.parameters.liveness_timeout));
+  connect(widget_.get(), &PilotWidget::requested, this, &FleetWindow::noteStop);
   connect(controller_.get(), &PilotController::closeAsked, this, &FleetWindow::closeAsked);
   setWindowTitle(shown_.empty() ? QString("frontier_pilot") : QString::fromStdString(shown_) + " – frontier_pilot");
   widget_->setFocus();
@@ -70,7 +78,11 @@ bool FleetWindow::ownRobotIsMissing() const {
 /// Meanwhile another robot may have been chosen.
 void FleetWindow::receive(teleop::OpenedRobot robot) {
   const bool is_wanted = robot.name == chosen_;
-  if (is_wanted && robot.link) return showRobot(std::move(robot));
+  if (is_wanted && robot.link) {
+    showRobot(std::move(robot));
+    if (std::exchange(stop_when_opened_, false)) link_->request(stopRequest());
+    return;
+  }
   if (is_wanted) chosen_ = shown_;  // it could not be opened, and may be chosen again
   if (!robot.link) return;
   robot.link->close();
@@ -84,12 +96,17 @@ void FleetWindow::refresh() {
   card_->setFleet(fleet, shown_);
 }
 
+/// Whoever presses it just after the click on a name means the robot that was chosen, which is not open yet. The one
+/// that is still shown is stopped as well.
+void FleetWindow::noteStop(const teleop::OperatorRequest& request) {
+  const bool is_stop = request.kind == teleop::OperatorRequest::Kind::kEmergencyStop;
+  stop_when_opened_ = stop_when_opened_ || (is_stop && chosen_ != shown_);
+}
+
 /// The robot that is shown is stopped by itself, too: its arbiter may be there when the node that stops all is not.
 void FleetWindow::stopAll() {
   widget_->stopBecause("all robots are to stop");
-  teleop::OperatorRequest stop;
-  stop.kind = teleop::OperatorRequest::Kind::kEmergencyStop;
-  link_->request(stop);
+  link_->request(stopRequest());
   fleet_link_.stopAll();
 }
 

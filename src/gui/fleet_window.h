@@ -44,10 +44,12 @@ class FleetWindow : public QWidget {
   void receive(teleop::OpenedRobot robot);
   void showRobot(teleop::OpenedRobot robot);
   bool ownRobotIsMissing() const;
+  void noteStop(const teleop::OperatorRequest& request);
   void stopAll();
 
   teleop::FleetLink& fleet_link_;
   std::string shown_, chosen_;  ///< the chosen robot may not be open yet
+  bool stop_when_opened_ = false;  ///< a stop was pressed since it was chosen
   bool released_ = false;
   QVBoxLayout* layout_;
   FleetCard* card_;

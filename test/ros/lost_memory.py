@@ -73,7 +73,7 @@ class LostMemory(unittest.TestCase):
         call('set_nav_enabled', SetBool, False)
         rospy.sleep(4.0)  # that nothing more is said can only be seen by waiting
         # An earlier warning may have had another reason, a disk that was slow to answer.
-        self.assertEqual(arbiter.said().count('nav_disabled would not survive a restart: cannot write'), 1, arbiter.said())
+        self.assertEqual(arbiter.said().count('nav_disabled would not survive this node: cannot write'), 1, arbiter.said())
 
     # [ARB-7]
     def test_a_stop_and_the_count_of_stops_are_kept_although_the_home_cannot_be_written(self):

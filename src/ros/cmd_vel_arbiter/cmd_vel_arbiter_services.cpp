@@ -125,7 +125,7 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
   publish(answer.publish);
   answer.message = answerOfStop(answer.message, flush_.wait(kFlushPatience));
   around_.memory_problem = memory_.remember(arbiter_.stopCause());
-  if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
+  if (!around_.memory_problem.empty()) answer.message += "; would not survive this node: " + around_.memory_problem;
   publishStopState();
   publishStatus(true);  // the count of stops has changed
   keepCount();

@@ -2,9 +2,10 @@
 
 #include <vector>
 
+#include "ros/frontier_explorer/explorer_markers.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
-/// The frontiers in the explorer's status. [EXP-9]
+/// The frontiers in the status of the explorer, and as markers. [EXP-9]
 namespace frontier_pilot {
 namespace {
 
@@ -48,6 +49,21 @@ void FrontierExplorerAdapter::addFrontiers(ExplorerStatus& msg) const {
       msg.frontiers.push_back(toFrontierMsg(frontier));
     }
   }
+}
+
+void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
+  markers_due_ = markers_due_ || news;
+  if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
+  markers_due_ = false;
+  const ExplorerScene scene{explorer_.frontiersWithCells(),
+                            explorer_.geometry(),
+                            explorer_.blacklist(),
+                            explorer_.bounds(),
+                            explorer_.tour(),
+                            clicked_.corners(),
+                            explorer_.inspections(),
+                            ros::this_node::getNamespace()};
+  markers_publisher_.publish(makeExplorerMarkers(scene, parameters_.map_frame, now));
 }
 
 }  // namespace frontier_pilot

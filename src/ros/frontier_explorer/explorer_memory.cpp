@@ -147,7 +147,7 @@ void ExplorerMemory::end() {
 std::string ExplorerMemory::keep() {
   if (is_damaged_) return {};  // the next process has to stand, too, until the bounds are set anew
   const std::string problem = text_.set(toText(orders_));
-  return problem.empty() ? problem : "; would not survive a restart: " + problem;
+  return problem.empty() ? problem : "; would not survive this node: " + problem;
 }
 
 }  // namespace frontier_pilot

@@ -6,7 +6,6 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/odometry_source.h"
-#include "ros/frontier_explorer/explorer_markers.h"
 #include "ros/frontier_explorer/explorer_status.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
@@ -132,21 +131,6 @@ void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress&
   if (status.state == exploration::ExplorerState::kIdle && !missing.empty()) msg.reason_text += " (" + missing + ")";
   status_publisher_.publish(msg);
   last_status_ = now;
-}
-
-void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
-  markers_due_ = markers_due_ || news;
-  if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
-  markers_due_ = false;
-  const ExplorerScene scene{explorer_.frontiersWithCells(),
-                            explorer_.geometry(),
-                            explorer_.blacklist(),
-                            explorer_.bounds(),
-                            explorer_.tour(),
-                            clicked_.corners(),
-                            explorer_.inspections(),
-                            ros::this_node::getNamespace()};
-  markers_publisher_.publish(makeExplorerMarkers(scene, parameters_.map_frame, now));
 }
 
 }  // namespace frontier_pilot

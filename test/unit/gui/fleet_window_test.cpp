@@ -131,6 +131,22 @@ TEST_F(FleetWindowTest, AnotherRobotIsChosenByAClickAndTheFirstOneIsLetGo_GUI_1)
   EXPECT_FALSE(button("robot_robot1")->isChecked());
 }
 
+// [GUI-1] [MUL-4] whoever presses it just after the click on a name means the robot that was chosen
+TEST_F(FleetWindowTest, AStopThatIsPressedBeforeTheChosenRobotIsOpenStopsBoth_GUI_1) {
+  openOnRobots();
+  fleet_.opens = false;
+  click("robot_robot2");
+  click("emergency_stop");
+  ASSERT_EQ(fleet_.links["robot1"].requests.size(), 1U);
+  fleet_.opens = true;
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot2"; }));
+  ASSERT_EQ(fleet_.links["robot2"].requests.size(), 1U);
+  EXPECT_EQ(fleet_.links["robot2"].requests.front().kind, teleop::OperatorRequest::Kind::kEmergencyStop);
+  click("robot_robot1");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot1"; }));
+  EXPECT_EQ(fleet_.links["robot1"].requests.size(), 1U) << "once";
+}
+
 // [GUI-3] until the next robot is there, the window goes on with the one that it shows
 TEST_F(FleetWindowTest, ARobotThatDoesNotOpenLeavesTheOneThatIsShown_GUI_3) {
   openOnRobots();

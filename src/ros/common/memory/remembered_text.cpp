@@ -77,7 +77,7 @@ void RememberedText::tell(const std::string& problem) {
     warned_of_.clear();
   } else if (problem != warned_of_) {
     warned_of_ = problem;
-    THROTTLED_WARN(what_ << " would not survive a restart: " << problem);
+    THROTTLED_WARN(what_ << " would not survive this node: " << problem);
   }
 }
 

@@ -35,7 +35,7 @@ std::optional<bool> SafeSwitch::wasLeftSafe() const {
 std::string SafeSwitch::set(bool safe) {
   safe_ = safe;
   const std::string problem = memory_.set((safe ? "" : kNot) + state_);
-  return problem.empty() ? problem : "; would not survive a restart: " + problem;
+  return problem.empty() ? problem : "; would not survive this node: " + problem;
 }
 
 }  // namespace frontier_pilot
