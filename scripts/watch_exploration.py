@@ -35,6 +35,7 @@ LEAST_CHANGE, LEAST_WAY = 0.1, 0.2  # of the explored area [m^2] and of the way 
 SILENCE = 10.0  # [s], after which an explorer that is not heard is said to be silent
 FAREWELL = 30.0  # [s] of silence after which an explorer counts as dead, once the program that started this one has ended
 PERIODS = 0.2, 3600.0  # of the progress lines [s]
+TOGETHER = 0.5  # [s], within which two signals are one
 
 # The ends that the stopping rules of the explorer have asked for.
 ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE, ExplorerStatus.UNTIL_SHARE,
@@ -70,7 +71,14 @@ class Watcher:
         self.started = None  # when the first goal was sent, in simulated time
         self.printed = 0.0
         self.heard = time.monotonic()  # when the explorer was last heard, by the steady clock; until then when this began
-        rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status, queue_size=10)
+        self.subscriber = None
+        self.listen()
+
+    def listen(self):
+        """Also to be called when the master has been started again: rospy does not notice that, and would never hear the next explorer."""
+        if self.subscriber:
+            self.subscriber.unregister()
+        self.subscriber = rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status, queue_size=10)
 
     def on_status(self, status):
         if self.started is None and status.goals_sent > 0:
@@ -115,6 +123,8 @@ class Watcher:
             return say('waiting for the explorer' if self.status is None else self.line())
         words = 'the explorer has not been heard for %.0f s' % self.silence()
         master_answers = ros_program.is_master_online(rospy.get_name())
+        if master_answers:
+            self.listen()
         return say(words if master_answers else words + ': no ROS master answers at ' + rosgraph.get_master_uri())
 
 
@@ -199,19 +209,22 @@ def has_changed(before, now):
 
 class Interrupt:
     """The signal that has asked this program to end, or SIGPIPE if nobody reads its output. The second Ctrl-C or SIGTERM ends it at
-    once, whatever it waits for. The terminal or the reader may be gone before or after the first one, by the same Ctrl-C."""
+    once, whatever it waits for, unless both came together, as from `timeout`. The terminal or the reader may be gone before or after
+    the first one, by the same Ctrl-C."""
 
     def __init__(self):
         self.number = 0
+        self.at = 0.0  # when the first Ctrl-C or SIGTERM came, by the steady clock
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self.take)
         if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # which nohup has set
             signal.signal(signal.SIGHUP, self.lose)
 
     def take(self, number, _):
-        if self.number in (signal.SIGINT, signal.SIGTERM):
+        if self.number not in (signal.SIGINT, signal.SIGTERM):
+            self.number, self.at = number, time.monotonic()
+        elif time.monotonic() - self.at > TOGETHER:
             os._exit(128 + number)
-        self.number = number
 
     def lose(self, number, _=None):
         """The terminal, or what reads the output, is gone."""

@@ -48,7 +48,7 @@ class FleetWindow : public QWidget {
   void stopAll();
 
   teleop::FleetLink& fleet_link_;
-  std::string shown_, chosen_;  ///< the chosen robot may not be open yet
+  std::string shown_, chosen_;     ///< the chosen robot may not be open yet
   bool stop_when_opened_ = false;  ///< a stop was pressed since it was chosen
   bool released_ = false;
   QVBoxLayout* layout_;

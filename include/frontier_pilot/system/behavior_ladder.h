@@ -13,7 +13,8 @@ namespace frontier_pilot::system {
 
 /// Looks ahead in the navigator's live scan and in its map: a motion is free unless it brings a scan point into
 /// `outline`, which is the robot's with a margin, or deeper into it than one is at the start, or leads where `in` says
-/// that the robot has no room. A disc may always turn. What the functions in `in` refer to must outlive the returned one.
+/// that the robot has no room. A disc may always turn. What the functions in `in` refer to must outlive the returned
+/// one.
 behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline);
 
 /// The goal, shortened in eighths until it is free, but not below a quarter: there may be room for a part of the motion

@@ -2,6 +2,7 @@
 """What watch_exploration.py takes, when it starts the exploration, and when it saves the map again."""
 import io
 import pathlib
+import signal
 import subprocess
 import sys
 import unittest
@@ -63,7 +64,7 @@ class Abandoned(unittest.TestCase):
 
     def setUp(self):
         self.parent, self.clock, self.out = 7, 100.0, io.StringIO()
-        self.saves, self.steps, self.master_lives = [], [], True
+        self.saves, self.steps, self.master_lives, self.subscriptions = [], [], True, 0
         for patch in (mock.patch('ros_program.is_master_online', lambda _: self.master_lives),
                       mock.patch('sys.stdout', self.out), mock.patch('sys.argv', ['watch_exploration.py']),
                       mock.patch('rospy.Subscriber', self.subscribe), mock.patch('rospy.is_shutdown', lambda: False),
@@ -77,6 +78,8 @@ class Abandoned(unittest.TestCase):
 
     def subscribe(self, _topic, _kind, take, **_):
         self.take = take
+        self.subscriptions += 1
+        return mock.Mock()
 
     def sleep(self, seconds):
         self.clock += seconds
@@ -130,6 +133,25 @@ class Abandoned(unittest.TestCase):
         self.run_it()
         self.assertEqual(self.saves, [''])
         self.assertIn('the explorer has not been heard for 585 s', self.out.getvalue())
+        self.assertGreater(self.subscriptions, 50, 'the master may be another one by now')
+
+
+class TwoSignals(unittest.TestCase):
+    def second_after(self, seconds):
+        """Whether a second Ctrl-C so long after the first one ends the program at once."""
+        clock = [100.0]
+        with mock.patch('signal.signal'), mock.patch('watch_exploration.time.monotonic', lambda: clock[0]), \
+                mock.patch('watch_exploration.os._exit') as end:
+            interrupt = watch_exploration.Interrupt()
+            interrupt.take(signal.SIGINT, None)
+            clock[0] += seconds
+            interrupt.take(signal.SIGINT, None)
+            self.assertEqual(interrupt.number, signal.SIGINT)
+        return end.called
+
+    def test_of_which_both_come_together_are_one(self):
+        self.assertFalse(self.second_after(0.001))
+        self.assertTrue(self.second_after(1.0))
 
 
 class Line(unittest.TestCase):
