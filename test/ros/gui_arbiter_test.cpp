@@ -1,21 +1,26 @@
 // The operator's window when the arbiter is killed and started anew.
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <gtest/gtest.h>
 #include <ros/network.h>
 #include <signal.h>
+#include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "ros/common/master/xml_rpc.h"
+#include "ros/common/names.h"
 #include "ros/gui_robot.h"
 #include "ros/gui_window.h"
 
 namespace frontier_pilot {
 namespace {
 
+using test::clears;
 using test::GuiOnTheWire;
 using test::waitFor;
 using test::Window;
@@ -50,6 +55,33 @@ TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore
   QTest::qWait(500);  // that nothing comes can only be seen by waiting
   EXPECT_EQ(robot_.command, 0.0);
   EXPECT_LT(std::abs(robot_.speed), 1e-6);
+}
+
+// [ARB-12] [GUI-2] The master leads to whoever has registered the service last.
+TEST_F(GuiOnTheWire, TheStopGoesToTheArbiterWhileAnotherNodeOffersItsService) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  std::atomic<int> calls{0};
+  std::atomic<bool> contested{false};
+  const ros::Subscriber status = ros::NodeHandle().subscribe<ArbiterStatus>(
+      names::kArbiterStatus, 1,
+      [&contested](const ArbiterStatus::ConstPtr& msg) { contested = msg->state == ArbiterStatus::CONTESTED; });
+  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> answer =
+      [&calls](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+        ++calls;
+        response.message = "fake stop";
+        return response.success = 1;
+      };
+  {
+    const ros::ServiceServer stranger = ros::NodeHandle().advertiseService(names::kEmergencyStop, answer);
+    ASSERT_TRUE(waitFor([&] { return contested.load(); })) << window.log().toStdString();
+    QTest::qWait(300);  // the window hears it, too, and looks at it ten times a second
+    window.click("emergency_stop");
+    const auto* stop = qobject_cast<QAbstractButton*>(window.find("emergency_stop"));
+    EXPECT_TRUE(waitFor([&] { return stop->text() == "STOPPED"; })) << window.log().toStdString();
+  }
+  EXPECT_EQ(calls, 0);
+  EXPECT_TRUE(clears(window)) << window.log().toStdString();
 }
 
 /// A process that is suspended, until this is destroyed.

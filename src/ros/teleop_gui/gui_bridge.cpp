@@ -85,10 +85,17 @@ bool GuiBridge::manualWanted(SteadyTime now) {
   return manual_ == Manual::kAlways || (last_motion_ != SteadyTime{} && now - last_motion_ < kMotionLinger);
 }
 
+bool GuiBridge::isContested() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto status = arbiter_.get();
+  return status && status->state == ArbiterStatus::CONTESTED;
+}
+
 void GuiBridge::publishManual() {
   const SteadyTime now = steadyNow();
   for (ServiceCaller* caller : {&caller_, &arbiter_caller_, &stop_caller_, &map_caller_}) caller->lookAfter(now);
-  stop_caller_.getReady(names::kEmergencyStop, watch_.up(names::kEmergencyStop));
+  // Where another node has taken the service, the master would lead to that: the connection of before counts.
+  stop_caller_.getReady(names::kEmergencyStop, watch_.up(names::kEmergencyStop) && !isContested());
   switch (publishManual(now)) {
     case TopicNeed::kNone:
       break;

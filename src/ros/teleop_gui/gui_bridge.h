@@ -81,6 +81,7 @@ class GuiBridge : public teleop::OperatorLink {
   void openManual();
   void closeManual();
   bool manualWanted(SteadyTime now);
+  bool isContested();
   bool manualOn(SteadyTime now) const;
   std::optional<bool> stopState(SteadyTime now) const;
   OperatorLog logger();
