@@ -4,7 +4,6 @@ namespace frontier_pilot {
 namespace {
 
 constexpr std::size_t kMostNodes = 20;  // that are told apart
-constexpr int kLate = 40;               // ticks, two seconds, by which a status may be read late that comes each second
 constexpr int kSilence = 100;           // ticks, five seconds, without a status that comes once a second
 
 }  // namespace
@@ -14,7 +13,6 @@ void StopFollower::take(bool stopped, int hold_ups) {
   by_count_of_.reset();
   clear_waits_ = !stopped && (stopped_ || clear_waits_) && !caught_up_;
   for (auto& [node, counted] : counted_) counted.told |= stopped;
-  if (stopped) ticks_since_stop_ = 0;
   if (clear_waits_) return;
   if (stopped_ && !stopped) tell_(true);  // for a goal that came while the server's clock was not trusted
   stopped_ = stopped;
@@ -28,8 +26,8 @@ void StopFollower::count(const std::string& node, std::uint64_t stops, bool stop
   Counted& last = lastOf(node, stops);
   const bool more = stops > last.stops || (stops < last.stops && stops > 0);
   const bool missed = more && !last.told && !stopped_ && !clear_waits_;
-  // A status of before the stop may come after it, and after its clear.
-  if (stops != last.stops || (!stopped && !stopped_ && ticks_since_stop_ > kLate)) last.told = false;
+  // A status of before the stop may come after it.
+  if (stops != last.stops || (!stopped && !stopped_)) last.told = false;
   last.stops = stops;
   if (missed) {
     stopped_ = true;
@@ -63,7 +61,6 @@ void StopFollower::tick(const Uris& publishers, int hold_ups, bool catching_up) 
   noticeHoldUp(hold_ups);
   if (catching_up) return;
   caught_up_ = true;
-  if (ticks_since_stop_ <= kLate) ++ticks_since_stop_;
   // Such as a player of a recording in which the robot is stopped at the end.
   if (by_count_of_ && ++silent_ticks_ > kSilence) endStopByCount();
   if (!publishers.empty()) publishers_ = publishers;

@@ -51,7 +51,6 @@ class StopFollower {
   std::map<std::string, Counted> counted_;  ///< by node
   std::string counted_last_;                ///< the node
   std::optional<std::string> by_count_of_;  ///< stopped, as far as only the count of this node tells
-  int ticks_since_stop_ = 0;                ///< since a message of a stop, without those that catch up
   int silent_ticks_ = 0;                    ///< since that node was heard
   int hold_ups_ = 0;
   bool caught_up_ = true;  ///< whether there was a tick since the last hold-up that did not catch up any more
