@@ -22,13 +22,14 @@ _changed = threading.Condition()
 
 
 def wait_for(condition, timeout=10.0):
-    """Until `condition()` is true, looked at whenever something arrives; gives whether it became true."""
+    """Until `condition()` is true, looked at whenever something arrives; gives whether it became true. What arrives meanwhile does not
+    wait for a condition that takes long, such as the answer of a service: its time would be that of the answer."""
     end = time.monotonic() + timeout
-    with _changed:
-        while not condition():
-            left = end - time.monotonic()
-            if left <= 0.0:
-                return False
+    while not condition():
+        left = end - time.monotonic()
+        if left <= 0.0:
+            return False
+        with _changed:
             _changed.wait(min(left, 0.02))
     return True
 
