@@ -88,8 +88,7 @@ def drivers_section(run):
     return section('who-drove', 'Who drove when', plot(time_plots.drivers_plot(run)), note,
                    table(('source', 'in command for', 'times'), rows, 'numbers'),
                    about='Whose velocity commands the arbiter forwarded. A source that sends zeros is in command, too, and keeps those of lower '
-                         'priority from driving. '
-                         'In the gaps nobody was, and the robot stood.')
+                         'priority from driving. In the gaps nobody was, and the robot stood.')
 
 
 def duration(seconds):

@@ -69,11 +69,11 @@ void StopLine::run() {
     lock.unlock();
     guard_.run("connecting to " + service_, [this] { connect(); });
     lock.lock();
-    pause = pauseAfter(pause, connected_, owed_until_.has_value());
+    pause = pauseAfter(pause, connected_, owed_);
     wake_.wait_for(lock, pause, [this] { return asked_ != answered_ || ending_; });
-    if (owed_until_ && steadyNow() > *owed_until_) owed_until_.reset();
+    owed_ = owed_ && steadyNow() <= asked_at_ + kOwed;
     const bool late = asked_ == answered_;
-    if (ending_ || (late && !(owed_until_ && connected_))) continue;
+    if (ending_ || (late && !(owed_ && connected_))) continue;
     const std::uint64_t number = asked_;
     const SteadyTime latest = asked_at_ + kOwed;
     calling_since_ = steadyNow();
@@ -94,14 +94,13 @@ void StopLine::run() {
 void StopLine::settle(std::uint64_t number, StopAnswer answer) {
   answered_ = number;
   answer_ = std::move(answer);
-  owed_until_.reset();
-  if (answer_.outcome != StopOutcome::kConfirmed) owed_until_ = asked_at_ + kOwed;
+  owed_ = answer_.outcome != StopOutcome::kConfirmed;
   wake_.notify_all();
 }
 
 void StopLine::settleLate(std::uint64_t number, const StopAnswer& answer) {
   if (answer.outcome != StopOutcome::kConfirmed || number != asked_) return;
-  owed_until_.reset();
+  owed_ = false;
   ROS_WARN_STREAM(service_ << " has now confirmed the stop, which it had not confirmed when it was called");
 }
 

@@ -67,7 +67,7 @@ class StopLine {
   std::uint64_t answered_ = 0;               ///< calls that have ended
   std::optional<SteadyTime> calling_since_;  ///< while a call is under way
   StopAnswer answer_;                        ///< to the last call that has ended
-  std::optional<SteadyTime> owed_until_;     ///< until when a call that was not confirmed is made again
+  bool owed_ = false;                        ///< a call that was not confirmed is made again for a while
   ros::ServiceClient client_;
   std::thread thread_;  ///< the last member: it starts when all others are constructed
 };

@@ -102,8 +102,11 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   server_.fill(inputs);
   const bool knows_where =
       inputs.localized && inputs.pose && std::abs(toSeconds(now - inputs.pose->stamp)) <= parameters_.max_age;
-  if (!knows_where) motions_.forget();
-  if (knows_where) inputs.order = motions_.order(navigator_, inputs.pose->pose, server_.goal(), map_.map(), now);
+  if (knows_where) {
+    inputs.order = motions_.order(navigator_, inputs.pose->pose, server_.goal(), map_.map(), now);
+  } else {
+    motions_.forget();
+  }
   return inputs;
 }
 

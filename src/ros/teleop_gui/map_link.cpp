@@ -105,14 +105,10 @@ void MapLink::collect() {
 }
 
 void MapLink::forgetGone() {
-  if (!isPublished(plan_subscriber_)) plan_ = {};
-  if (!isPublished(goal_subscriber_)) goal_.reset();
-  if (!isPublished(frontiers_subscriber_)) frontiers_ = {};
-}
-
-/// roscpp keeps the link to a node that was killed.
-bool MapLink::isPublished(const ros::Subscriber& subscriber) {
-  return subscriber.getNumPublishers() > 0 && connections_.master().mayBePublished(subscriber.getTopic());
+  const MasterWatch& master = connections_.master();
+  if (!master.mayReceive(plan_subscriber_)) plan_ = {};
+  if (!master.mayReceive(goal_subscriber_)) goal_.reset();
+  if (!master.mayReceive(frontiers_subscriber_)) frontiers_ = {};
 }
 
 std::optional<teleop::MapChange> MapLink::takeChange() {

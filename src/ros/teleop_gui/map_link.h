@@ -53,7 +53,6 @@ class MapLink {
   void collect();
   /// A navigator or an explorer that has ended leaves nothing on the map.
   void forgetGone();
-  bool isPublished(const ros::Subscriber& subscriber);
   std::optional<teleop::MapChange> takeChange();
   teleop::MapScene scene() const;
   std::optional<Pose2> toMap(const std::string& frame, const char* what, std::string& problem) const;

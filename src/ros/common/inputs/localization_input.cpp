@@ -30,9 +30,6 @@ bool LocalizationInput::isLocalizedAt(const std::optional<StampedPose2>& pose) c
   return isLocalized() && !(counts && pose && pose->stamp <= *found_at_);
 }
 
-bool LocalizationInput::isLocalized() const {
-  return localized_ || subscriber_.getNumPublishers() == 0 ||
-         !connections_->master().mayBePublished(subscriber_.getTopic());
-}
+bool LocalizationInput::isLocalized() const { return localized_ || !connections_->master().mayReceive(subscriber_); }
 
 }  // namespace frontier_pilot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
+#include <ros/subscriber.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -75,9 +76,11 @@ class MasterWatch {
   std::set<std::string> connectedPublishersOf(const std::string& topic) const;
   /// Each look is also to find out whether the publishers of `topic`, a resolved name, exist.
   void watchPublishers(const std::string& topic) { watched_.add(topic); }
-  /// False if none of the processes existed any more, at the last look, from which this node receives the watched
-  /// `topic`: they were killed, and roscpp still counts them as publishers.
-  bool mayBePublished(const std::string& topic) const { return watched_.mayBePublished(topic); }
+  /// Whether `subscriber`, whose topic is watched, receives from a process that existed at the last look: roscpp goes
+  /// on counting those that were killed as publishers.
+  bool mayReceive(const ros::Subscriber& subscriber) const {
+    return subscriber.getNumPublishers() > 0 && watched_.mayBePublished(subscriber.getTopic());
+  }
   /// Each look is also to find out which subscribers of `topic`, a resolved name, live. Empty: of none any more.
   void watchListeners(const std::string& topic);
   /// The topics of the last look that listed them; empty before.

@@ -85,12 +85,8 @@ void MapMirror::chooseTopics(const MasterWatch& master) {
 }
 
 bool MapMirror::published() const {
-  // roscpp keeps the link to a publisher that was killed, and tries to connect to it again for as long as this node
-  // lives.
-  const auto comes_by = [this](const ros::Subscriber& subscriber) {
-    return subscriber.getNumPublishers() > 0 && connections_->master().mayBePublished(subscriber.getTopic());
-  };
-  return comes_by(map_subscriber_) || comes_by(changes_subscriber_) || isAsking();
+  const MasterWatch& master = connections_->master();
+  return master.mayReceive(map_subscriber_) || master.mayReceive(changes_subscriber_) || isAsking();
 }
 
 bool MapMirror::isAsking() const {

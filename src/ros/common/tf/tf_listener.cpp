@@ -89,7 +89,10 @@ void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
       refuse(why);
     } else if (const std::string objection = fixed_.objection(transform, is_static, steadyNow()); !objection.empty()) {
       refuse(objection);
-      if (const std::string child = fixed_.takeDisputed(); !child.empty()) detach(child);
+      if (const std::string child = fixed_.takeDisputed(); !child.empty()) {
+        detach(child);
+        ROS_ERROR_STREAM(objection);
+      }
     } else if (!mayKeep(transform)) {
       refuse("more than 1000 frames");
     } else if (isOfItsTime(transform, is_static, now)) {
@@ -133,9 +136,6 @@ void TfListener::detach(const std::string& child) {
   nowhere.child_frame_id = child;
   nowhere.transform.rotation.w = 1.0;
   buffer_.setTransform(nowhere, "", true);
-  ROS_ERROR_STREAM("'" << child
-                       << "' is said to be in two places, one of them by a static transform, and is not used any more: "
-                          "end the node that is wrong, and restart this one");
 }
 
 bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {
