@@ -79,6 +79,13 @@ class MapperAutosave(MapperCase):
         except rospy.ServiceException:
             pass
 
+    @staticmethod
+    def load_unless_killed():
+        try:
+            rospy.ServiceProxy('mapper/load_map', LoadMap)(SMALL)
+        except rospy.ServiceException:
+            pass
+
     def test_a_map_that_was_loaded_is_kept_when_the_mapper_dies_just_after_its_answer(self):  # [FLT-2]
         mapper = Node('mapper')
         self.addCleanup(lambda: mapper.end())
@@ -93,6 +100,23 @@ class MapperAutosave(MapperCase):
             self.forget_the_map()
             mapper = Node('mapper')
             self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), '[FLT-2]')
+
+    def test_a_mapper_that_dies_before_it_has_answered_load_map_leaves_one_map_or_the_other(self):  # [FLT-2]
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        for delay in (0.05, 0.1, 0.15, 0.2, 0.25, 0.3):
+            self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 0 and kept_maps()), 20.0))
+            calls = [threading.Thread(target=call) for call in 3 * [self.save_unless_killed] + [self.load_unless_killed]]
+            for one in calls:
+                one.start()
+            time.sleep(delay)
+            mapper.signal(signal.SIGKILL)
+            for one in calls:
+                one.join()
+            mapper.finish()
+            self.forget_the_map()
+            mapper = Node('mapper')
+            self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), '%s s [FLT-2]' % delay)
 
     def test_a_map_file_does_not_replace_the_kept_map_before_the_first_odometry(self):  # [FLT-2]
         self.leave_a_map('_map_file:=' + SMALL)

@@ -169,9 +169,13 @@ void MapAutosave::tell(MemoryReport& report) const {
   report.setLoss("the map that the mapper had when it died", loss_);
 }
 
-void MapAutosave::forget() {
+void MapAutosave::supersede() {
   loss_.clear();
   schedule_.discard();
+}
+
+void MapAutosave::forget() {
+  supersede();
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
   discard(memory_);

@@ -52,9 +52,12 @@ class MapAutosave {
   /// Keeps `T_map_odom` beside the copy that there is, without saving the map. If the map was rendered again since, the
   /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const Pose2& T_map_odom, std::uint64_t rendered);
-  /// Removes the copy, because the map was reset, another one was loaded, or the mapper is shut down regularly. The
-  /// next map is saved whatever its `content`, and as soon as it can be.
+  /// Removes the copy, because the map was reset or the mapper is shut down regularly. The next map is saved whatever
+  /// its `content`, and as soon as it can be.
   void forget();
+  /// The same, because another map was loaded; but the copy stays until that map replaces it, so that a mapper which
+  /// dies meanwhile leaves one of the two.
+  void supersede();
   /// Records that the map of the mapper that died cannot be continued with, and moves its files to the folder `lost`
   /// beside them (`kept_map::setAside`). It is reported until the map is reset or loaded, or for a
   /// minute after the first scan of the new map: an error that never goes away would soon be ignored.

@@ -66,7 +66,8 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.message = result.text;
   if (result.ok()) {
     restored_.reset();  // a map that was kept is not wanted any more
-    autosave_.forget();
+    mapper_.map().isBlank() ? autosave_.forget() : autosave_.supersede();
+    awaitAutosave();  // that of the map of before, which may be under way
     autosave();
     awaitAutosave();  // a mapper that dies after its answer has the map that was loaded
     THROTTLED_INFO(result.text);
