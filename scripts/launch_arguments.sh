@@ -38,10 +38,18 @@ check_launch_arguments() {
     wrong_argument maps "map: nothing can be written to the folder ${PWD@Q}/maps, where the map would be saved; give another path with map:=PATH"
   iconv -f UTF-8 -t UTF-8 <<<"$map" >/dev/null 2>&1 ||
     wrong_argument "$map" "map: no map can be saved as ${map@Q}, because that is not UTF-8; give another path with map:=PATH"
-  ! replaces_world "$map" "$world" ||
+  ! replaces_world "$map" "$(world_file "$root" "$world")" ||
     wrong_argument "$map" "map: '$map' is the world, which the map would replace; give another path with map:=PATH"
   [[ " $* " != *' localize_only:=true '* ]] || [[ " $* " =~ ' map_file:='[^\ ] && " $* " != *' map_file:=none '* ]] ||
     wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH"
+}
+
+# world_file ROOT WORLD: the world's YAML; a bare word is the name of a world of ours.
+world_file() {
+  case $2 in
+    */* | *.* | '') echo "$2" ;;
+    *) echo "$1/config/worlds/$2.yaml" ;;
+  esac
 }
 
 # replaces_world MAP WORLD: whether a file of the map that is saved as MAP is the world's YAML or its picture.
@@ -70,7 +78,7 @@ check_value() {
   [ "$name" = map ] || [[ $value != *'$('* ]] || wrong_argument "$value" "$name: a value must not contain '\$(', with which a substitution of roslaunch begins"
   case $name in
     world)
-      [ -f "$value" ] ||
+      [ -f "$(world_file "$root" "$value")" ] ||
         wrong_argument "$value" "world: there is no file '$value'; in $root/config/worlds are $(names_in "$root/config/worlds")" ;;
     robot)
       [ -f "$root/config/robots/$value.yaml" ] || [ -f "$value" ] ||

@@ -42,6 +42,11 @@ def absolute(path):
     return os.path.join(os.environ.get('PWD', '.'), path)
 
 
+def world_file(world):
+    """The path of a world's YAML. `world`: a path, or the name of a world in config/worlds."""
+    return absolute(world) if '/' in world or '.' in world else '%s/config/worlds/%s.yaml' % (ROOT, world)
+
+
 def whole_number(text):
     """The number that is written with at most ten digits; None if the text is anything else, such as a path."""
     return int(text) if re.fullmatch('[0-9]{1,10}', text) else None
@@ -110,7 +115,7 @@ def launches(arguments, folder):
     """The launch files that are to run, each with its arguments; the files that they read are written into `folder`."""
     in_rviz = arguments['rviz'].lower() == 'true'
     # Its picture is large: it is read once, and only if it is asked for.
-    world = read_world(absolute(arguments['world'])) if in_rviz or whole_number(arguments['robots']) is not None else None
+    world = read_world(world_file(arguments['world'])) if in_rviz or whole_number(arguments['robots']) is not None else None
     robots = robots_of(arguments, world)
     places = places_of(robots, arguments)
     words = {name: '%s:=%s' % (name, arguments[name]) for name in set(OF_THE_WORLD + OF_A_ROBOT)}

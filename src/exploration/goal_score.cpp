@@ -2,11 +2,11 @@
 
 namespace frontier_pilot::exploration {
 
-double goalScore(const GoalCandidate& c, const ScoreParameters& p) {
+ScoreTerms scoreTerms(const GoalCandidate& c, const ScoreParameters& p) {
   const double info = p.info_by_ray_casting ? c.info.area / (c.info.area + p.info_scale) : c.info.density;
   const double distance = (p.distance_by_travel ? c.travel_distance : c.euclidean_distance) / p.distance_scale;
   const double visited = static_cast<double>(c.visits) / (c.visits + 1);
-  return p.w_info * info - p.w_dist * distance - p.w_obs * c.obstacle_density - p.w_visit * visited;
+  return {p.w_info * info, -p.w_dist * distance, -p.w_obs * c.obstacle_density, -p.w_visit * visited};
 }
 
 std::optional<std::size_t> chooseBestScore(const std::vector<GoalCandidate>& candidates,

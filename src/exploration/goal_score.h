@@ -20,10 +20,23 @@ struct GoalCandidate {
   double score = 0.0;
 };
 
-/// `score = w_info * info - w_dist * distance - w_obs * obs - w_visit * visited`, each term normalised: info to [0, 1)
-/// by area / (area + info_scale), or the unknown share as it is; distance in units of distance_scale; obs the density
-/// over the greatest allowed; visited = visits / (visits + 1). [EXP-4]
-double goalScore(const GoalCandidate& candidate, const ScoreParameters& parameters);
+/// The terms of `score = w_info * info - w_dist * distance - w_obs * obs - w_visit * visited`, with their weights and
+/// signs, each normalised: info to [0, 1) by area / (area + info_scale), or the unknown share as it is; distance in
+/// units of distance_scale; obs the density over the greatest allowed; visited = visits / (visits + 1). [EXP-4]
+struct ScoreTerms {
+  double information;
+  double distance;
+  double obstacles;
+  double visits;
+
+  double sum() const { return information + distance + obstacles + visits; }
+};
+
+ScoreTerms scoreTerms(const GoalCandidate& candidate, const ScoreParameters& parameters);
+
+inline double goalScore(const GoalCandidate& candidate, const ScoreParameters& parameters) {
+  return scoreTerms(candidate, parameters).sum();
+}
 
 /// Index of the candidate with the best score, the first of equal ones; nullopt without candidates. A candidate within
 /// 0.5 m of `current`, the goal being driven to, gets a bonus of switch_margin.

@@ -30,15 +30,14 @@ class CandidateStrategy : public GoalStrategy {
                             : situation.current->yaw;  // it is the present goal
     goal.distance = chosen.travel_distance;
     goal.area = chosen.info.area;
-    char text[40];
-    std::snprintf(text, sizeof text, "score %.2f", chosen.score);
-    goal.why = text;
+    goal.why = why(chosen);
     return goal;
   }
 
  private:
   virtual std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
                                             const std::optional<Vec2>& current) const = 0;
+  virtual std::string why(const GoalCandidate& chosen) const = 0;
 };
 
 /// The goal with the best score. [EXP-4]
@@ -50,6 +49,14 @@ class GreedyStrategy : public CandidateStrategy {
   std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
                                     const std::optional<Vec2>& current) const override {
     return chooseBestScore(candidates, current, parameters_);
+  }
+
+  std::string why(const GoalCandidate& chosen) const override {
+    const ScoreTerms terms = scoreTerms(chosen, parameters_);
+    char text[120];
+    std::snprintf(text, sizeof text, "score %.2f: information %+.2f, distance %+.2f, obstacles %+.2f, visits %+.2f",
+                  chosen.score, terms.information, terms.distance, terms.obstacles, terms.visits);
+    return text;
   }
 
   ScoreParameters parameters_;
@@ -71,6 +78,12 @@ class NearestStrategy : public CandidateStrategy {
       least = distance;
     }
     return best;
+  }
+
+  std::string why(const GoalCandidate& chosen) const override {
+    char text[40];
+    std::snprintf(text, sizeof text, "the nearest, %.1f m away", chosen.travel_distance);
+    return text;
   }
 };
 

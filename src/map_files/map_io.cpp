@@ -32,8 +32,11 @@ MapIoResult checkTarget(const MapFileSet& files) {
   if (files.base().string().find('\0') != std::string::npos)
     return {MapIoStatus::kBadPath, "the path holds a NUL character"};
   std::error_code error;
-  if (!fs::is_directory(files.folder(), error))
-    return failure(MapIoStatus::kBadPath, files.folder().string(), "no such directory");
+  const std::string folder = files.folder().string();
+  const bool is_homes = folder[0] == '~';
+  if (!fs::is_directory(folder, error))
+    return failure(MapIoStatus::kBadPath, folder,
+                   is_homes ? "only a shell replaces '~'; begin the path with /" : "no such directory");
   return {};
 }
 

@@ -23,7 +23,7 @@ from run_of_the_script import ROOT, RUN, RunTestCase, command_of, environment, h
 
 class RunScript(RunTestCase):
     def test_it_refuses_what_the_launch_file_does_not_have_and_says_what_there_is(self):
-        for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
+        for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('world:=nowhere', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
                             ('map:=/tmp/none/', 'is a folder'),

@@ -196,6 +196,7 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   if (explores) view.phase_text = msg.phase_text;
   view.not_started = isNew(msg);
   view.reason_text = view.not_started ? "Start lets the robot explore." : msg.reason_text;
+  if (view.state_text == "Paused" && view.reason_text == "paused") view.reason_text = "Start lets it go on.";
   view.frontiers_found = msg.frontiers_found;
   view.frontiers_selectable = msg.frontiers_selectable;
   view.frontiers_blacklisted = msg.frontiers_blacklisted;

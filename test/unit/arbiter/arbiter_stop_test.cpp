@@ -92,7 +92,7 @@ TEST_F(ArbiterTest, ClearingIsRefusedWhileAnEnabledSourceAsksToMove_ARB_8) {
   wait(0.5);
   const arbiter::ArbiterAnswer refused = clear();
   EXPECT_FALSE(refused.success) << "0.5 s is not yet quiet [ARB-8]";
-  EXPECT_EQ(refused.message, "refused: nav asked to move 500 ms ago");
+  EXPECT_EQ(refused.message, "refused: nav asked to move 500 ms ago; end what drives it, then clear");
   EXPECT_TRUE(arbiter.stopped());
   advance(1e-9);
   EXPECT_TRUE(clear().success) << "[ARB-8]";

@@ -215,6 +215,7 @@ TEST_F(Strategies, GreedyTakesTheBestScoreAndNearestTheShortestWay_EXP_9) {
       evaluator.frontiers().begin(), evaluator.frontiers().end(),
       [](const auto& a, const auto& b) { return !a.selectable() || (b.selectable() && a.score < b.score); });
   EXPECT_EQ(greedy->position, best->goal);
+  EXPECT_NE(greedy->why.find(": information +"), std::string::npos) << greedy->why;
 }
 
 TEST(StrategyNames, AnUnknownOneIsRefusedWithTheNamesThatThereAre) {

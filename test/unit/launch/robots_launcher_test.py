@@ -32,6 +32,17 @@ class Arguments(unittest.TestCase):
                 self.assertEqual(given('world:=' + path, 'map_file:=' + path)['world'], path)
         self.assertTrue(given()['world'].endswith('/config/worlds/office.yaml'))
 
+    def test_a_world_of_the_package_has_a_name(self):
+        flat = str(ROOT / 'config/worlds/flat.yaml')
+        self.assertEqual(robots_launcher.world_file('flat'), flat)
+        self.assertEqual(robots_launcher.world_file('/flat'), '/flat')
+        for file in ('simulator', 'robots_world'):
+            for word, path in (('flat', flat), ('/a/flat', '/a/flat'), ('flat.yaml', os.environ['PWD'] + '/flat.yaml')):
+                words = ['world:=' + word] + (['starts:=' + str(ROOT / 'config/robots.yaml')] if file == 'robots_world' else [])
+                config = roslaunch.config.load_config_default([(str(ROOT / 'launch' / (file + '.launch')), words)], None,
+                                                              verbose=False, assign_machines=False)
+                self.assertEqual(config.params['/simulator/world'].value.replace('//', '/'), path)
+
     def test_an_argument_that_is_missing_is_named(self):
         with self.assertRaisesRegex(StartsError, 'parameter explore is missing'):
             robots_launcher.arguments_in({})

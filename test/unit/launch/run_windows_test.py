@@ -65,7 +65,7 @@ class RunWindows(unittest.TestCase):
         for line in process.stdout:
             if line.startswith('Launching; '):
                 self.logs = pathlib.Path(line.split(' goes to ')[1].split(',')[0]).parent
-            if line.startswith('The windows stay open'):
+            if line.startswith('The system runs on'):
                 break
         end = time.monotonic() + 30.0
         while '--saved-already' not in self.watched.read_text() and time.monotonic() < end:

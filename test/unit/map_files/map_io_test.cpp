@@ -103,6 +103,9 @@ TEST_F(MapIo, SaysWhyItCannotSave) {
   const map_files::MapIoResult nowhere = map_files::saveMap(map, path("no/such/floor"));
   EXPECT_EQ(nowhere.status, map_files::MapIoStatus::kBadPath);
   EXPECT_NE(nowhere.text.find("no such directory"), std::string::npos);
+  const map_files::MapIoResult home = map_files::saveMap(map, "~/map");
+  EXPECT_EQ(home.status, map_files::MapIoStatus::kBadPath);
+  EXPECT_NE(home.text.find("only a shell replaces '~'"), std::string::npos) << home.text;
   occupancy::OccupancyMap empty;
   EXPECT_EQ(map_files::saveMap(empty, path("floor")).status, map_files::MapIoStatus::kEmptyMap);
   fs::create_directory(path("floor.pgm"));

@@ -29,6 +29,8 @@ TEST(OperatorViews, AnExplorerThatDoesNotExploreIsPausedOrWaits_GUI_2) {
   EXPECT_EQ(paused.state_text, "Paused");
   EXPECT_FALSE(paused.not_started);
   EXPECT_EQ(paused.phase_text, "");
+  msg.reason_text = "paused";
+  EXPECT_EQ(toView(msg, 0.0).reason_text, "Start lets it go on.") << "the state says already that it is paused";
   const auto waits = toView(explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::OTHERS_GOAL), 0.0);
   EXPECT_EQ(waits.state_text, "Waiting");
   const auto drives = toView(explorerStatus(ExplorerStatus::NAVIGATING, "NAVIGATING", ExplorerStatus::GOAL_SENT), 0.0);
