@@ -199,7 +199,8 @@ std::string Arbiter::refusalToClear(SteadyTime requested, const Instant& now) co
     if (!source.enabled || !source.last_motion) continue;
     const double age = toSeconds(now.steady - *source.last_motion);
     if (age <= parameters_.clear_quiet_time) {
-      return config(source).name + " asked to move " + std::to_string(static_cast<int>(age * 1000.0)) + " ms ago; end what drives it, then clear";
+      return config(source).name + " asked to move " + std::to_string(static_cast<int>(age * 1000.0)) +
+             " ms ago; end what drives it, then clear";
     }
   }
   return {};
