@@ -102,7 +102,7 @@ void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
 
 ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   out_ = {};
-  if (clockJumped(now)) forgetTime(now);
+  heedClock(now);
   const double before = status_.distance_travelled;
   trackMotion(inputs);
   battery_ = inputs.battery;
@@ -123,19 +123,6 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   last_update_ = now;
   out_.status = status_;
   return std::move(out_);
-}
-
-bool Explorer::Impl::clockJumped(Time now) const { return last_update_ && now < *last_update_; }
-
-/// Times measured before the clock jumped cannot be compared with those after it. What is under way starts over from
-/// IDLE; an exploration that is done stays so, because starting over it would drive to its start once more.
-void Explorer::Impl::forgetTime(Time now) {
-  last_report_.reset();
-  nothing_left_since_.reset();
-  state_since_ = last_check_ = last_decision_ = claims_at_ = now;
-  if (status_.state == ExplorerState::kDone) return;
-  cancelGoal();
-  enter(ExplorerState::kIdle, ExplorerReason::kClockJumpedBack, "", now);
 }
 
 void Explorer::Impl::reset(Time now) {

@@ -83,8 +83,10 @@ class Explorer::Impl {
   static const std::array<FallBack, 5> kFallBacks;
 
   void trackMotion(const ExplorerInputs& inputs);
-  bool clockJumped(Time now) const;
+  /// No time has passed where the clock jumped.
+  void heedClock(Time now);
   void forgetTime(Time now);
+  void skipTime(Duration gap);
   void reset(Time now);
   bool ready(const ExplorerInputs& inputs, Time now);
   /// Cancels the goal and waits.
@@ -179,6 +181,8 @@ class Explorer::Impl {
   std::optional<Pose2> start_;
   std::optional<Pose2> T_map_base_;
   std::optional<double> battery_;
+  /// A decision about a large map takes seconds; what is longer was no time that passed.
+  static constexpr Duration kLongestTick = std::chrono::seconds(30);
   std::optional<Time> last_update_;
   std::optional<Time> last_report_;
   std::optional<Time> nothing_left_since_;

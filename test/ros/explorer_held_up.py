@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""An explorer that is held up while it decides sends no goal after a stop and a clear that came meanwhile."""
+"""An explorer that is held up while it decides sends no goal after a stop and a clear, or over somebody else's goal, that came meanwhile."""
 import os
 import signal
 import time
 
+import actionlib
 import rospy
 import rostest
+from actionlib_msgs.msg import GoalStatus
 from frontier_pilot.msg import ExplorerStatus as Status
+from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import OccupancyGrid
 from std_srvs.srv import SetBool
 
@@ -84,6 +87,27 @@ class ExplorerHeldUp(ExplorerCase):
         self.assertEqual([], self.robot.goals, '[ARB-8]')
         self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
         self.assertTrue(wait_for(lambda: self.robot.goals, 30.0), ('then it goes on', self.status.last))
+
+    # [EXP-11]
+    def test_a_goal_that_was_decided_before_somebody_else_gave_one_is_not_sent_over_it(self):
+        operator = actionlib.SimpleActionClient('move_base', MoveBaseAction)
+        self.assertTrue(operator.wait_for_server(rospy.Duration(10.0)))
+        rospy.set_param('frontier_explorer', {'autostart': True})
+        self.addCleanup(rospy.delete_param, 'frontier_explorer')
+        self.hold_up_in_a_decision(self.work_of_a_decision())
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        goal = MoveBaseGoal()
+        goal.target_pose.header.frame_id = 'map'
+        goal.target_pose.pose.position.x, goal.target_pose.pose.orientation.w = 1.0, 1.0
+        operator.send_goal(goal)
+        self.assertTrue(wait_for(self.robot.drives))
+        self.node.signal(signal.SIGCONT)
+        self.assertTrue(self.comes(lambda status: status.reason == Status.OTHERS_GOAL, 30.0), self.status.last)
+        self.assertEqual([(1.0, 0.0)], self.robot.goals, '[EXP-11]')
+        self.robot.held.clear()
+        self.assertTrue(wait_for(lambda: len(self.robot.goals) > 1, 30.0), ('then it goes on', self.status.last))
+        self.assertEqual(GoalStatus.SUCCEEDED, operator.get_state())
 
 
 if __name__ == '__main__':

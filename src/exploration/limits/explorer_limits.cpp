@@ -14,11 +14,10 @@ void Explorer::Impl::setBounds(const ExplorationBounds& bounds, const OccupancyG
 
 /// Counts what has passed since the last tick, if the robot was exploring then. [EXP-10]
 void Explorer::Impl::countExploring(double driven, Time now) {
-  constexpr Duration kJump = std::chrono::seconds(1);  // longer ticks are jumps of the clock
   const bool explores = status_.state != ExplorerState::kIdle && status_.state != ExplorerState::kDone;
   if (!explores || !last_update_) return;
   const Duration passed = now - *last_update_;
-  rules_.count(passed < kJump ? passed : Duration::zero(), driven);
+  rules_.count(passed < kLongestTick ? passed : Duration::zero(), driven);
 }
 
 StoppingRules::State Explorer::Impl::rulesState() const {

@@ -19,4 +19,9 @@ bool GoalPatience::isOver(const Vec2& position, double timeout, Time now) {
   return taken >= timeout && (stands || taken >= kLongest * way_);
 }
 
+void GoalPatience::skip(Duration gap) {
+  sent_ += gap;
+  moved_ += gap;
+}
+
 }  // namespace frontier_pilot::exploration

@@ -16,6 +16,9 @@ class GoalPatience {
   /// To be asked in every tick. `timeout` [s].
   bool isOver(const Vec2& position, double timeout, Time now);
 
+  /// So much time was no time: the clock jumped ahead, or nothing ran.
+  void skip(Duration gap);
+
  private:
   double way_, speed_;
   Time sent_;

@@ -68,7 +68,8 @@ std::string FrontierExplorerAdapter::fromWhen() {
 }
 
 void FrontierExplorerAdapter::update(Time now) {
-  if (enabled_) obeyOrder(now);  // one that waited: this decision may take as long as the one before
+  // A goal that waited goes first: this decision may take as long as the one before. But not over somebody else's goal.
+  if (enabled_ && !navigation_.servesOthers()) obeyOrder(now);
   expireClicks();
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);

@@ -267,16 +267,6 @@ TEST_F(ExplorerStates, ARobotOnUnknownGroundWaitsAndIsNotDone_EXP_7) {
   EXPECT_EQ(output.status.reason, Reason::kRobotOffKnownGround);
 }
 
-TEST_F(ExplorerStates, ABackwardClockJumpCancelsTheGoalAndStartsOver) {
-  show(kRoom);
-  tick();
-  now -= std::chrono::seconds(50);
-  const exploration::ExplorerOutput output = tick();
-  EXPECT_TRUE(wentThrough(State::kIdle, Reason::kClockJumpedBack));
-  EXPECT_STREQ(toString(Reason::kClockJumpedBack), "the clock jumped");
-  EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kSend);
-}
-
 // [EXP-9]
 TEST_F(ExplorerStates, SaysInWordsWhyThisGoalAndWhatComesNext_EXP_9) {
   EXPECT_EQ(explorer.explain(), "IDLE: waiting for inputs.");
