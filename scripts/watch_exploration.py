@@ -71,11 +71,23 @@ class Watcher:
         self.started = None  # when the first goal was sent, in simulated time
         self.printed = 0.0
         self.heard = time.monotonic()  # when the explorer was last heard, by the steady clock; until then when this began
+        self.looked = self.heard  # when the master was last asked for in a silence, by the steady clock
+        self.master_answers = True
         self.subscriber = None
         self.listen()
 
+    def stay_connected(self):
+        """Listens again while the explorer is silent, because rospy does not notice that the master was started again, and would never
+        hear the next explorer. To be called often."""
+        now = time.monotonic()
+        if self.silence() < SILENCE or now - self.looked < self.period:
+            return
+        self.looked = now
+        self.master_answers = ros_program.is_master_online(rospy.get_name())
+        if self.master_answers:
+            self.listen()
+
     def listen(self):
-        """Also to be called when the master has been started again: rospy does not notice that, and would never hear the next explorer."""
         if self.subscriber:
             self.subscriber.unregister()
         self.subscriber = rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status, queue_size=10)
@@ -83,7 +95,8 @@ class Watcher:
     def on_status(self, status):
         if self.started is None and status.goals_sent > 0:
             self.started = status.header.stamp.to_sec()
-        self.heard = time.monotonic()
+        if self.status is None or status.header.stamp != self.status.header.stamp:  # not its last one once more
+            self.heard = time.monotonic()
         for name, count in self.counts.take(status).items():
             setattr(status, name, count)
         self.status = status
@@ -116,16 +129,14 @@ class Watcher:
 
     def progress(self):
         """Returns whether somebody reads it."""
+        self.stay_connected()
         if time.monotonic() - self.printed < self.period:
             return True
         self.printed = time.monotonic()
         if self.silence() < SILENCE:
             return say('waiting for the explorer' if self.status is None else self.line())
         words = 'the explorer has not been heard for %.0f s' % self.silence()
-        master_answers = ros_program.is_master_online(rospy.get_name())
-        if master_answers:
-            self.listen()
-        return say(words if master_answers else words + ': no ROS master answers at ' + rosgraph.get_master_uri())
+        return say(words if self.master_answers else words + ': no ROS master answers at ' + rosgraph.get_master_uri())
 
 
 class Starter:
@@ -183,6 +194,7 @@ def save_what_was_mapped_since(watcher, interrupt, prefix):
     It ends with the process that has started it."""
     begin, parent = None, os.getppid()
     while not rospy.is_shutdown() and not interrupt.number and os.getppid() == parent:
+        watcher.stay_connected()
         begin = begin or watcher.status
         time.sleep(0.2)
     if begin and has_changed(begin, watcher.status):

@@ -44,6 +44,16 @@ class Registration:
         for topic, kind in self.publications:
             self.master.registerPublisher(topic, kind, self.uri)
         node = xmlrpc.client.ServerProxy(self.uri, transport=PatientTransport())
+        connected = self._publishers_of(node)
         for topic in self.subscriptions:
-            publishers = self.master.registerSubscriber(topic, ANY, self.uri)
-            node.publisherUpdate('/master', topic, publishers)
+            listed = self.master.registerSubscriber(topic, ANY, self.uri)
+            # A node drops the publishers that are missing in an update, and a driver that the new master does not know lives on.
+            node.publisherUpdate('/master', topic, sorted({*listed, *connected.get(topic, ())}))
+
+    def _publishers_of(self, node):
+        """The addresses of those that it is connected to, by topic."""
+        uris = {}
+        for _, uri, direction, _, topic, *_ in node.getBusInfo(self.name)[2]:
+            if direction == 'i':
+                uris.setdefault(topic, set()).add(uri)
+        return uris

@@ -103,8 +103,10 @@ class Abandoned(unittest.TestCase):
 
     def test_it_saves_the_map_and_ends_half_a_minute_after_the_explorer_was_heard(self):
         """[FLT-1]"""
-        status = ExplorerStatus(explored_area=50.0)
-        self.steps = [(110.0, lambda: self.take(status)), (120.0, self.orphan), (125.0, lambda: self.take(status))]
+        first, second, latched = (ExplorerStatus(explored_area=50.0) for _ in range(3))
+        second.header.stamp.secs = latched.header.stamp.secs = 15
+        self.steps = [(110.0, lambda: self.take(first)), (120.0, self.orphan), (125.0, lambda: self.take(second)),
+                      (140.0, lambda: self.take(latched))]  # as whenever it listens again
         self.assertEqual(self.run_it(), 1)
         self.assertEqual(self.saves, [''])
         self.assertAlmostEqual(self.clock, 155.0, delta=1.0)
@@ -134,6 +136,12 @@ class Abandoned(unittest.TestCase):
         self.assertEqual(self.saves, [''])
         self.assertIn('the explorer has not been heard for 585 s', self.out.getvalue())
         self.assertGreater(self.subscriptions, 50, 'the master may be another one by now')
+
+    def test_it_hears_the_explorer_of_another_master_also_when_only_the_last_map_is_to_be_saved(self):
+        self.steps = [(110.0, lambda: self.take(ExplorerStatus(explored_area=40.0))), (140.0, self.orphan)]
+        with mock.patch('sys.argv', ['watch_exploration.py', '--saved-already']):
+            self.run_it()
+        self.assertGreater(self.subscriptions, 3, 'the master may be another one by now')
 
 
 class TwoSignals(unittest.TestCase):
