@@ -121,6 +121,7 @@ bool Mapper::revise(slam::MapRevision& revision) {
   }
   if (!revision.map) return true;
   impl_->map.exchange(*revision.map);
+  ++impl_->generation;
   impl_->overgrown = false;
   ++impl_->revisions.rendered;
   for (const Impl::Inserted& inserted : meanwhile) {

@@ -51,7 +51,7 @@ struct Mapper::Impl {
   std::optional<StampedPose2> last;  ///< T_odom_base of the last scan that was placed
   ScanCounts counts;
   std::uint64_t epoch = 0;       ///< number of the corrector: work of an earlier one is void
-  std::uint64_t generation = 0;  ///< number of the map: a search of an earlier one is void
+  std::uint64_t generation = 0;  ///< number of the map and its rendering: a search of an earlier one is void
   bool working = false, abandoned = false;
   std::vector<Inserted> meanwhile;  ///< scans inserted into the map while work is under way
   RevisionReport revisions;

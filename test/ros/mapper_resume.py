@@ -6,7 +6,7 @@ import time
 
 import rospy
 import rostest
-from frontier_pilot.srv import LoadMap
+from frontier_pilot.srv import LoadMap, SaveMap
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
@@ -87,6 +87,19 @@ class MapperResume(MapperCase):
         self.kill(mapper)
         self.start('_map_file:=' + SMALL)
         self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * room, 20.0), '[FLT-2]')
+
+    def test_a_map_that_waits_for_odometry_is_saved_and_stays_when_the_mapper_ends(self):  # [FLT-2]
+        room, saved = self.leave_a_map(), os.path.join(os.environ['ROS_HOME'], 'room')
+        mapper = self.start()
+        self.assertTrue(call('mapper/save_map', SaveMap, saved).success, '[FLT-2]')
+        mapper.end()
+        self.assertTrue(kept_maps(), 'nobody has continued with it')
+        self.start()
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * room, 20.0), '[FLT-2]')
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        self.assertTrue(wait_for(lambda: self.known() == 0))
+        self.assertTrue(call('mapper/load_map', LoadMap, saved).success)
+        self.assertTrue(wait_for(lambda: self.known() > 0.95 * room), '[FLT-2]')
 
     def test_a_map_without_a_known_cell_is_not_missed(self):  # [FLT-2]
         mapper = self.start()

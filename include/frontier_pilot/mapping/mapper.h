@@ -79,7 +79,7 @@ struct RobotSearch {
 
   localization::WholeMapSearch result;
   Pose2 T_odom_base;             ///< of the last scan, whose pose in the map the result tells
-  std::uint64_t generation = 0;  ///< of the map that was searched: another map has another one
+  std::uint64_t generation = 0;  ///< of the map that was searched: one that was replaced or corrected has another one
 };
 
 /// Builds the map from scans and the odometry at their stamps. Whatever is wrong with a scan, what is already mapped
@@ -133,7 +133,7 @@ class Mapper {
   std::function<RobotSearch()> searchWork(const std::function<bool()>& stop = {}) const;
   /// Goes on from where the search has found the robot, which may have driven on since, as from an estimate of its
   /// pose. Returns false, and does nothing, when it was not found, or when the mapper has been reset or been given a
-  /// map since `searchWork`, or its clock was set back, or the map is too large by now.
+  /// map or has corrected its own since `searchWork`, or its clock was set back, or the map is too large by now.
   bool locate(const RobotSearch& search);
   /// The number of the map, for `RobotSearch`.
   std::uint64_t generation() const;

@@ -15,7 +15,7 @@ namespace {
 /// Has the mapper go on from where the search has found the robot; empty, or why it does not.
 std::string goOnFrom(const mapping::RobotSearch& search, mapping::Mapper& mapper) {
   if (mapper.locate(search)) return {};
-  if (search.generation != mapper.generation()) return "the map was replaced meanwhile";
+  if (search.generation != mapper.generation()) return "the map was replaced or corrected meanwhile; call again";
   return "the clock was set back meanwhile, or the map has grown too large";
 }
 

@@ -65,7 +65,7 @@ void MapperAdapter::connect() {
     connections_.everySteady(ros::WallDuration(parameters_.autosave_period), [this] { autosave(); });
   }
   connections_.everySteady(ros::WallDuration(0.1), [this] {
-    saver_.provide(mapper_.map());
+    saver_.provide(restored_ ? restored_->map : mapper_.map());
     searcher_.provide(mapper_);
     const auto report = connections_.master().take();
     if (!report) return;

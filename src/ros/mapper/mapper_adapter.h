@@ -36,7 +36,9 @@ class MapperAdapter {
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   ~MapperAdapter() { saver_.close(), searcher_.close(); }
   /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map.
-  void sayLastWords() { autosave_.forget(); }
+  void sayLastWords() {
+    if (!restored_) autosave_.forget();  // nobody has continued with the copy that is there
+  }
   MapperAdapter(const MapperAdapter&) = delete;
   MapperAdapter& operator=(const MapperAdapter&) = delete;
 

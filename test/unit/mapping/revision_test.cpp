@@ -60,7 +60,9 @@ TEST_F(Revisions, ReplaceTheMapAndMoveTheRobotWithIt) {
   ASSERT_EQ(at(0.0, 0.0), kFree);
   mapper.takeChanges();
   script->T_new_old = Pose2(3.0, 0.0, 0.0);
+  const std::uint64_t searched = mapper.generation();
   mapper.reviseNow();
+  EXPECT_NE(mapper.generation(), searched) << "a search of the map of before is void";
   EXPECT_EQ(mapper.T_map_odom(), Pose2(3.0, 0.0, 0.0));
   EXPECT_EQ(at(3.0, 0.0), kFree);
   EXPECT_EQ(at(0.0, 0.0), kUnknown) << "nothing is left of what was wrong";
