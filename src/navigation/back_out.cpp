@@ -1,6 +1,7 @@
 #include "navigation/back_out.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -14,17 +15,20 @@ constexpr double kMostBearing = 0.8;  ///< of the target from straight behind [r
 constexpr double kMostTurn = 0.8;     ///< between two places of the way; beyond it the robot turned on the spot [rad]
 constexpr double kSpacing = 0.02;     ///< of different places [m]
 constexpr double kCheckEvery = 0.1;   ///< a path is looked for [m]
-constexpr double kAhead = 0.5;        ///< of motion whose poses are looked at [s]
-constexpr double kPoseStep = 0.1;     ///< between two of them [s]
-constexpr double kNoise = 0.003;      ///< by which the distance from the scan may shrink from pose to pose [m]
-constexpr double kNearest = 0.01;     ///< that the outline with its margin may reach beyond a scan point [m]
-constexpr double kPatience = 1.0;     ///< with an obstacle in the way [s]
-constexpr double kProgress = 0.1;     ///< that it has to move within the time that is allowed [m]
+constexpr std::array<double, 3> kSpeeds = {1.0, 0.5, 0.25};  ///< with little room behind, shares of the full speed
+constexpr double kPoseStep = 0.1;                            ///< between two of them [s]
+constexpr double kNoise = 0.003;   ///< by which the distance from the scan may shrink from pose to pose [m]
+constexpr double kNearest = 0.01;  ///< that the outline with its margin may reach beyond a scan point [m]
+constexpr double kPatience = 1.0;  ///< with an obstacle in the way [s]
+constexpr double kProgress = 0.1;  ///< that it has to move within the time that is allowed [m]
 
 }  // namespace
 
-BackOut::BackOut(const RecoveryParams& params, const RobotModel& robot)
-    : params_(params), limits_(robot.limits), outline_(robot.drivenOutline().padded(params.margin)) {}
+BackOut::BackOut(const RecoveryParams& params, const RobotModel& robot, double command_lifetime)
+    : params_(params),
+      limits_(robot.limits),
+      outline_(robot.drivenOutline().padded(params.margin)),
+      ahead_(command_lifetime + kPoseStep) {}
 
 void BackOut::begin(const RecoveryInputs& in) {
   start_ = in.T_map_base.position();
@@ -74,7 +78,8 @@ std::optional<Vec2> BackOut::target(const Pose2& T_map_base) {
 bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {
   const double now = in.scan_distance(outline_, in.T_map_base);
   const double least = std::min({0.0, now, std::max(now - kNoise, -kNearest)});
-  for (double t = kPoseStep; t < kAhead + 0.5 * kPoseStep; t += kPoseStep) {
+  const double braking = 0.5 * std::abs(command.linear) / limits_.max_linear_acc;  // as long at full speed
+  for (double t = kPoseStep; t < ahead_ + braking + 0.5 * kPoseStep; t += kPoseStep) {
     const Pose2 there = integrate(in.T_map_base, command, t);
     if (in.scan_distance(outline_, there) < least || (in.has_room && !in.has_room(there))) return false;
   }
@@ -97,8 +102,9 @@ RecoveryStep BackOut::update(const RecoveryInputs& in, Time now) {
   const double speed = std::min(params_.back_up_speed, limits_.max_linear);
   const double curvature = 2.0 * behind->y() / behind->squaredNorm();
   const double rate = std::clamp(-speed * curvature, -limits_.max_angular, limits_.max_angular);
-  const Twist2 command{-speed, rate};
-  if (isFree(command, in)) {
+  for (const double share : kSpeeds) {
+    const Twist2 command{-share * speed, share * rate};
+    if (!isFree(command, in)) continue;
     blocked_since_.reset();
     return {command, false};
   }
@@ -106,8 +112,8 @@ RecoveryStep BackOut::update(const RecoveryInputs& in, Time now) {
   return {Twist2{}, toSeconds(now - *blocked_since_) > kPatience};
 }
 
-Recovery backOut(const RecoveryParams& params, const RobotModel& robot) {
-  const auto core = std::make_shared<BackOut>(params, robot);  // a std::function must be copyable
+Recovery backOut(const RecoveryParams& params, const RobotModel& robot, double command_lifetime) {
+  const auto core = std::make_shared<BackOut>(params, robot, command_lifetime);  // a std::function must be copyable
   return [core](const RecoveryInputs& in, Time now) { return core->update(in, now); };
 }
 

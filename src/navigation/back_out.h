@@ -10,7 +10,7 @@ namespace frontier_pilot::navigation {
 /// The recovery that backs up along the way that the robot has come (recovery.h).
 class BackOut {
  public:
-  BackOut(const RecoveryParams& params, const RobotModel& robot);
+  BackOut(const RecoveryParams& params, const RobotModel& robot, double command_lifetime);
 
   RecoveryStep update(const RecoveryInputs& in, Time now);
 
@@ -22,8 +22,8 @@ class BackOut {
   std::optional<Vec2> target(const Pose2& T_map_base);
   /// As far behind the robot as it backs up.
   Vec2 straightBehind(const Pose2& T_map_base) const;
-  /// Whether backing up by `command` until the next scan counts brings the outline no nearer to an obstacle than it is
-  /// and than it may be, and keeps off what the map shows.
+  /// Whether backing up by `command`, for as long as the base obeys it if no other comes, brings the outline no nearer
+  /// to an obstacle than it is and than it may be, and keeps off what the map shows.
   bool isFree(const Twist2& command, const RecoveryInputs& in) const;
 
   /// Whether it has got no farther for the time that is allowed.
@@ -32,6 +32,7 @@ class BackOut {
   RecoveryParams params_;
   RobotLimits limits_;
   Outline outline_;        ///< with the margin of recoveries
+  double ahead_;           ///< for how long the base may obey a command [s]
   std::vector<Vec2> way_;  ///< back to where the robot came from, the nearest first; begun when not empty
   std::size_t next_ = 0;
   Vec2 start_ = Vec2::Zero();

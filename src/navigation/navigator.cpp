@@ -41,6 +41,7 @@ void Navigator::setParameters(const NavigatorParams& params, std::vector<Recover
   impl_->setParameters(params, std::move(ladder));
 }
 bool Navigator::hasGoal() const { return impl_->hasGoal(); }
+bool Navigator::hasPath() const { return impl_->hasPath(); }
 const planning::Path& Navigator::path() const { return impl_->follower().path(); }
 std::vector<Vec2> Navigator::wayAhead() const { return impl_->wayAhead(); }
 double Navigator::progress() const { return impl_->follower().progress(); }

@@ -35,6 +35,7 @@ class Navigator::Impl {
 
   std::vector<Vec2> wayAhead() const;
   bool hasGoal() const { return goal_.has_value(); }
+  bool hasPath() const { return goal_ && has_path_; }
   const PathFollower& follower() const { return follower_; }
   const planning::ClearanceMap& clearanceMap() const { return clearance_; }
 

@@ -68,15 +68,19 @@ behavior::BehaviorParameters recoveryBehavior(const navigation::RecoveryParams& 
   return behavior;
 }
 
-std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::RecoveryParams& params, const RobotModel& robot,
-                                                     double rate) {
-  const behavior::BehaviorParameters behavior = recoveryBehavior(params, robot.limits, rate);
-  const Outline outline = robot.drivenOutline().padded(params.margin);
-  const behavior::BehaviorGoal back_up{behavior::BehaviorKind::kBackUp, params.back_up_distance, 0.0,
-                                       params.time_allowance, true};
-  const behavior::BehaviorGoal spin{behavior::BehaviorKind::kSpin, params.spin_angle, 0.0, params.time_allowance, true};
+std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::NavigatorParams& params, double rate) {
+  const RobotModel& robot = params.robot;
+  const navigation::RecoveryParams& recovery = params.recovery;
+  const behavior::BehaviorParameters behavior = recoveryBehavior(recovery, robot.limits, rate);
+  const Outline outline = robot.drivenOutline().padded(recovery.margin);
+  const behavior::BehaviorGoal back_up{behavior::BehaviorKind::kBackUp, recovery.back_up_distance, 0.0,
+                                       recovery.time_allowance, true};
+  const behavior::BehaviorGoal spin{behavior::BehaviorKind::kSpin, recovery.spin_angle, 0.0, recovery.time_allowance,
+                                    true};
+  const double lifetime = params.follower.command_lifetime;
   const auto backing_up = [=] {
-    return robot.drivenOutline().isDisc() ? recoveryBy(back_up, behavior, outline) : navigation::backOut(params, robot);
+    return robot.drivenOutline().isDisc() ? recoveryBy(back_up, behavior, outline)
+                                          : navigation::backOut(recovery, robot, lifetime);
   };
   return {{"clearing the local costmap", true, {}},
           {"backing up", false, backing_up},

@@ -1,5 +1,6 @@
 // What a client is told of a goal when the navigator's cycle fails.
 
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
@@ -73,6 +74,26 @@ TEST_F(NavigatorGoals, TheNavigatorIsToldToCancelWhatItPursued_FLT_1) {
   navigation::NavigatorInputs inputs;
   server_.fill(inputs);
   EXPECT_TRUE(inputs.cancel);
+}
+
+// [FLT-1] [NAV-1]
+TEST_F(NavigatorGoals, IsToldSoAlsoIfAGoalThatWaitsIsCanceledMeanwhile_FLT_1) {
+  sendGoal("a");
+  begun();
+  server_.abortAll("internal error");
+  sendGoal("b");
+  bool waits = false;
+  const ros::Subscriber statuses = node_.subscribe<actionlib_msgs::GoalStatusArray>(
+      "move_base/status", 10, [&](const actionlib_msgs::GoalStatusArray::ConstPtr& all) {
+        for (const GoalStatus& status : all->status_list) waits |= status.goal_id.id == "b";
+      });
+  ASSERT_TRUE(serveUntil([&] { return waits; }));
+  server_.setStopped(true);
+  server_.setStopped(false);
+  navigation::NavigatorInputs inputs;
+  server_.fill(inputs);
+  EXPECT_FALSE(inputs.new_goal);
+  EXPECT_TRUE(inputs.cancel) << "it would drive on, for a goal that nobody has";
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ class Navigator {
   void clearObstacles();
 
   bool hasGoal() const;
+  /// Whether `path()` is one that is being followed.
+  bool hasPath() const;
   /// The path being followed, or the last one; empty before the first.
   const planning::Path& path() const;
   /// What is left of the path being followed, with the robot's position first; empty while there is none.

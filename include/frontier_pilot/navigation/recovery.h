@@ -52,8 +52,9 @@ struct RecoveryRung {
 /// `params.back_up_distance` and until it can turn or there is a path, as far as scan and map show room. The way ends
 /// where the robot last turned on the spot; from there on, and if no way is known or none lies behind it, it backs up
 /// straight. It ends when it has not moved by 0.1 m for `params.time_allowance`: the way out may be long. Pure pursuit
-/// (Coulter, CMU-RI-TR-92-01, 1992), backwards.
-Recovery backOut(const RecoveryParams& params, const RobotModel& robot);
+/// (Coulter, CMU-RI-TR-92-01, 1992), backwards. Each command has room for `command_lifetime` [s], for it may be the
+/// last.
+Recovery backOut(const RecoveryParams& params, const RobotModel& robot, double command_lifetime);
 
 /// A ladder without motions: it only removes the live obstacles. system/behavior_ladder.h combines this with motions.
 std::vector<RecoveryRung> clearingLadder();

@@ -30,8 +30,8 @@ navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavi
 behavior::BehaviorParameters recoveryBehavior(const navigation::RecoveryParams& params, const RobotLimits& limits,
                                               double rate);
 
-/// Clear the local costmap, back up, spin; when none of them helps the navigator gives up. [NAV-3]
-std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::RecoveryParams& params, const RobotModel& robot,
-                                                     double rate);
+/// Clear the local costmap, back up, spin; when none of them helps the navigator gives up. `rate` [Hz] is that of its
+/// ticks. [NAV-3]
+std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::NavigatorParams& params, double rate);
 
 }  // namespace frontier_pilot::system

@@ -69,7 +69,7 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
     if (pending_ && pending_->id == id) {
       cancelAll();  // the active goal had been replaced by this one
     } else {
-      cancel_ = id == active_id_;
+      cancel_ = cancel_ || id == active_id_;
     }
     return;
   }
@@ -78,7 +78,7 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
 void MoveBaseServer::cancelAll() {
   if (pending_) settle({pending_->id, navigation::NavResult::kCanceled, navigation::NavReason::kCanceled});
   pending_.reset();
-  cancel_ = active_id_ != 0;
+  cancel_ = cancel_ || active_id_ != 0;  // it may still be owed to a goal that was aborted
 }
 
 void MoveBaseServer::setStopped(bool stopped) {

@@ -17,7 +17,7 @@ namespace frontier_pilot {
 NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<NavigatorNodeParameters>(private_node)),
       base_frame_(parameters_.robot.baseFrameOr(parameters_.base_frame)),
-      navigator_(parameters_, system::behaviorLadder(parameters_.recovery, parameters_.robot, parameters_.rate)),
+      navigator_(parameters_, system::behaviorLadder(parameters_, parameters_.rate)),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
       motions_(parameters_.fleet, parameters_.map_frame, parameters_.robot.drivenOutline().circumscribedRadius(), tf_),
       publisher_(node, parameters_.map_frame, parameters_.robot.limits.max_linear),

@@ -37,7 +37,8 @@ std::int8_t cost(const planning::ClearanceMap& map, Cell cell) {
   const std::uint8_t cost_class = map.costClass(cell);
   if (cost_class == 0) return 99;
   const double nearness = (map.weight(cost_class) - 1.0) / std::max(1e-6, map.weight(1) - 1.0);
-  return static_cast<std::int8_t>(std::lround(98.0 * nearness));
+  // A tight cell weighs more than the nearest free one, but is no obstacle.
+  return static_cast<std::int8_t>(std::lround(98.0 * std::min(1.0, nearness)));
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ void NavigatorPublisher::publish(const navigation::Navigator& navigator, const n
   const bool is_news = publishStatus(output) || !(goal == told_goal_);
   if (is_news || (goal && due(progress_published_, now, kProgressPeriod))) publishProgress(navigator, goal, now);
   if (output.plan_changed) {
-    const auto points = navigator.hasGoal() ? navigator.path().sampled(kPlanSpacing) : std::vector<Vec2>();
+    const auto points = navigator.hasPath() ? navigator.path().sampled(kPlanSpacing) : std::vector<Vec2>();
     plan_.publish(toPathMsg(withYaw(points), map_frame_, now));
   }
   if (output.state == navigation::NavState::kDriving && local_plan_.getNumSubscribers() > 0) {
@@ -98,7 +99,7 @@ void NavigatorPublisher::publishProgress(const navigation::Navigator& navigator,
   msg.header.stamp = toRosTime(now);
   msg.has_goal = goal ? 1 : 0;
   msg.goal = toPoseMsg(goal.value_or(Pose2()));
-  const bool has_path = goal && !navigator.path().empty();
+  const bool has_path = goal && navigator.hasPath();
   msg.distance_left = has_path ? std::max(0.0, navigator.path().length() - navigator.progress()) : kNoPath;
   msg.time_left = msg.distance_left / (kShareOfMaximum * max_linear_);
   msg.status = status_;

@@ -30,7 +30,7 @@ bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs:
 }
 
 void NavigatorAdapter::take(const NavigatorNodeParameters& changed) {
-  navigator_.setParameters(changed, system::behaviorLadder(changed.recovery, changed.robot, changed.rate));
+  navigator_.setParameters(changed, system::behaviorLadder(changed, changed.rate));
   publisher_.setMaxLinear(changed.robot.limits.max_linear);
 }
 

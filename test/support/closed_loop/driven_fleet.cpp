@@ -25,7 +25,7 @@ sim::SimulatorParameters simulation(const std::vector<Pose2>& starts, const Robo
 }  // namespace
 
 DrivenFleet::Robot::Robot(const std::string& name, const navigation::NavigatorParams& params)
-    : navigator(params, system::behaviorLadder(params.recovery, params.robot, kRate)),
+    : navigator(params, system::behaviorLadder(params, kRate)),
       rule(name, params.robot.drivenOutline().circumscribedRadius()),
       placer(params.robot.scanner) {}
 

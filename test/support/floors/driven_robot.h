@@ -19,7 +19,7 @@ class DrivenRobot {
       : DrivenRobot(world.map, start, params) {}
   DrivenRobot(const OccupancyGrid& map, const Pose2& start, const navigation::NavigatorParams& params = {})
       : simulator_(sim::World{map, start}, simulation(start, params.robot)),
-        navigator_(params, system::behaviorLadder(params.recovery, params.robot, 20.0)),
+        navigator_(params, system::behaviorLadder(params, 20.0)),
         placer_(params.robot.scanner) {
     navigator_.setMap(map, map.geometry().rect());
   }

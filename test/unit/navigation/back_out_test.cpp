@@ -25,15 +25,20 @@ class BackOutTest : public ::testing::Test {
 
   /// The seconds that it took until it was done, at most 60.
   double run() {
-    Recovery recovery = backOut(RecoveryParams(), test::shippedRobot("waffle"));
+    const RobotModel robot = test::shippedRobot("waffle");
+    Recovery recovery = backOut(RecoveryParams(), robot, kLifetime);
     for (int tick = 0; tick < 600; ++tick) {
       const RecoveryStep step = recovery(in_, Time(std::chrono::milliseconds(100 * tick)));
       EXPECT_LE(step.command.linear, 0.0);
+      const Pose2 last = integrate(in_.T_map_base, step.command, kLifetime);
+      EXPECT_GT(in_.scan_distance(robot.exactOutline(), last), 0.0) << "each command may be the last [FLT-2]";
       if (step.done) return 0.1 * tick;
       if (!held_) in_.T_map_base = integrate(in_.T_map_base, step.command, 0.1);
     }
     return 60.0;
   }
+
+  static constexpr double kLifetime = 1.0;  ///< of a command [s]
 
   RecoveryInputs in_;
   std::deque<Pose2> track_;
