@@ -25,8 +25,9 @@ class StepDriver {
   bool reached() const;
   /// The command for the next cycle, `elapsed` [s] after the last one; `age` [s] is that of the last sample.
   Twist2 command(double elapsed, double age);
-  /// The arc that the robot drives in `seconds` at full speed, at most to 0.03 m beyond the end of a line or an arc,
-  /// and to the end of a turn: [m] and [rad]. Where `command` only turns it towards the leg, that turn.
+  /// The arc that the robot drives in `seconds` at full speed and then until it stands, at most to 0.03 m beyond the
+  /// end of a line or an arc, and to the end of a turn: [m] and [rad]. Where `command` only turns it towards the leg,
+  /// that turn.
   Twist2 ahead(const Twist2& command, double seconds) const;
   /// Restarts the speed profile from standstill, because another source holds the wheels.
   void rest() { speed_ = 0.0; }

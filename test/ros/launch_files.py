@@ -29,7 +29,7 @@ TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch',
 HAS_A_MAPPER = {name + '.launch' for name in ('navigation', 'system', 'robot', 'robots', 'real_robot', 'turtlebot2',
                                                'turtlebot3', 'play')}
 NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
-PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server'}
+PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server', 'patrol_server'}
 LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
 OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider',
                    'waypoint_follower'}

@@ -57,4 +57,9 @@ class CollisionCheck {
   std::unique_ptr<Impl> impl_;
 };
 
+/// What is in the way of a robot that drives the arc `T_odom_base` -> [m] and [rad] of `arc`, in the order of the way.
+/// It is looked at in pieces of at most 0.25 rad, each along its chord and at the turn at its end. A piece that was
+/// never seen is no reason not to look at the next one.
+SweepResult lookAlongArc(const LookAhead& look_ahead, const Pose2& T_odom_base, const Twist2& arc);
+
 }  // namespace frontier_pilot::behavior

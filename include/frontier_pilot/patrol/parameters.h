@@ -45,8 +45,10 @@ struct PatrolParameters {
     v.field("blocked_timeout", blocked_timeout, "s",
             "time without the wheels, or without progress on a free way, after which a patrol is given up", timeSpan());
     v.fixed({"settle_timeout"});
-    v.field("simulate_ahead_time", simulate_ahead_time, "s",
-            "how far ahead, in time at full speed, the way must be free of obstacles", positiveUpTo(30.0));
+    v.field(
+        "simulate_ahead_time", simulate_ahead_time, "s",
+        "how far ahead the way must be free of obstacles, in time at full speed, on top of the way that braking takes",
+        positiveUpTo(30.0));
     v.field("obstacle_timeout", obstacle_timeout, "s",
             "how long the robot stands before an obstacle until the patrol is given up", timeSpanOrNone());
     v.tunable({"linear_speed", "linear_acc", "turn_speed", "turn_acc", "limits/max_linear", "limits/max_linear_acc",

@@ -1,7 +1,5 @@
 #include "ros/patrol_server/patrol_surroundings.h"
 
-#include <cmath>
-
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/messages/message_problems.h"
@@ -10,18 +8,6 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kConnecting = std::chrono::seconds(1);  ///< to those who publish a scan, at the start
-
-/// What is in the way of `arc`: of its chord, and then of its turn at the end.
-behavior::SweepResult look(const behavior::LookAhead& ahead, const Pose2& T_odom_base, const Twist2& arc) {
-  using behavior::AxisMotion;
-  const Pose2 T_odom_chord = T_odom_base * Pose2(0.0, 0.0, 0.5 * arc.angular);
-  if (arc.linear != 0.0) {
-    const behavior::SweepResult line = ahead(T_odom_chord, {AxisMotion::Axis::kLine, arc.linear});
-    if (line == behavior::SweepResult::kObstacle || arc.angular == 0.0) return line;
-  }
-  const Pose2 end = arc.linear != 0.0 ? T_odom_chord * Pose2(arc.linear, 0.0, -0.5 * arc.angular) : T_odom_base;
-  return ahead(end, {AxisMotion::Axis::kTurn, arc.angular});
-}
 
 }  // namespace
 
@@ -73,7 +59,7 @@ patrol::WayAhead PatrolSurroundings::wayAhead(Time now) const {
   if (!parameters_.check_collisions || isBlind()) return {};
   return [this, now](const Pose2& T_odom_base, const Twist2& arc) -> std::optional<std::string> {
     const behavior::LookAhead ahead = check_.lookAhead(parameters_.costmap_timeout, now);
-    const auto seen = ahead ? look(ahead, T_odom_base, arc) : behavior::SweepResult::kNoCostmap;
+    const auto seen = ahead ? behavior::lookAlongArc(ahead, T_odom_base, arc) : behavior::SweepResult::kNoCostmap;
     // Many drivers report nothing where nothing is in range: the floor there was never seen.
     if (seen == behavior::SweepResult::kClear || seen == behavior::SweepResult::kUnseen) return std::nullopt;
     return std::string("not free ahead: ") + toString(seen);
