@@ -63,6 +63,20 @@ class ArbiterOnTheWire(unittest.TestCase):
         self.assertTrue(self.drives(0.0), 'expiry gives zero [ARB-2]')
 
     # [ARB-2]
+    def test_a_zero_that_came_while_the_arbiter_was_held_up_ends_the_motion_before_it(self):
+        patrol, arbiter = self.sources['patrol'].start(0.1), pid_of('/cmd_vel_arbiter')
+        self.assertTrue(self.drives(0.1))
+        os.kill(arbiter, signal.SIGSTOP)
+        try:
+            time.sleep(0.4)
+            patrol.stop()
+            patrol.send(0.0)
+            time.sleep(0.05)
+        finally:
+            os.kill(arbiter, signal.SIGCONT)
+        self.assertTrue(self.drives(0.0, 0.45), 'before that motion has expired')
+
+    # [ARB-2]
     def test_zero_leaves_at_20_hz_while_nobody_drives(self):
         first = len(self.out.items)
         self.assertTrue(wait_for(lambda: len(self.out.items) >= first + 41))

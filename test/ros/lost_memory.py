@@ -93,6 +93,21 @@ class LostMemory(unittest.TestCase):
         self.assertGreaterEqual(status.last.stops, 2, '[ARB-8]')
         self.assertTrue(call('set_emergency_stop', SetBool, False).success)
 
+    # [ARB-7] [FLT-1]
+    def test_a_cleared_stop_that_would_come_back_is_said(self):
+        self.runtime = self.folder
+        self.start('cmd_vel_arbiter')
+        status = Record('cmd_vel_arbiter/status', ArbiterStatus)
+        self.assertTrue(call('emergency_stop', Trigger).success)
+        kept = glob.glob(self.home + '/frontier_pilot/**/*stopped*', recursive=True)
+        self.assertTrue(kept, os.listdir(self.home))
+        shutil.rmtree(os.path.dirname(kept[0]))
+        with open(os.path.dirname(kept[0]), 'w'):
+            pass  # a file in the place of the folder: nothing in it can be removed
+        self.assertIn('would come back with the next start', call('set_emergency_stop', SetBool, False).message)
+        self.assertTrue(wait_for(lambda: any('the stop that was cleared would come back' in problem for problem in status.last.problems)),
+                        status.last)
+
     # [FLT-2]
     def test_a_pause_is_kept_although_the_home_cannot_be_written(self):
         with open(self.home, 'w'):

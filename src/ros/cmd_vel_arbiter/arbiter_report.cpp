@@ -98,7 +98,11 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
   if (snapshot.state == arbiter::ArbiterState::kClockStopped)
     problems.push_back({Level::ERROR, "ROS time stands still"});
   if (!around.memory_problem.empty()) {
-    problems.push_back({Level::ERROR, "an emergency stop would not survive this node: " + around.memory_problem});
+    const bool stopped = !snapshot.stop_cause.empty();
+    problems.push_back(
+        {Level::ERROR, (stopped ? "an emergency stop would not survive this node: "
+                                : "the stop that was cleared would come back with the next start of this node: ") +
+                           around.memory_problem});
   }
   if (!around.fleet_problem.empty()) problems.push_back({Level::ERROR, around.fleet_problem});
   if (!snapshot.stop_cause.empty()) problems.push_back({Level::WARN, "emergency stop: " + snapshot.stop_cause});

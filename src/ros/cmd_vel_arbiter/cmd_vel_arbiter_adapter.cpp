@@ -87,9 +87,10 @@ void CmdVelArbiterAdapter::addSource(std::size_t source) {
 }
 
 void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {
-  if (hold_ups_.isCatchingUp(steadyNow())) return;
   std::string why;
   const std::optional<Twist2> twist = toTwist(msg, &why);
+  // What came while this process was held up may be of before a stop, and of its clear; but a zero may be the last one.
+  if (hold_ups_.isCatchingUp(steadyNow()) && twist && !twist->isZero()) return;
   if (!twist) rejections_[source].add(why);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   publish(arbiter_.onCommand(source, twist.value_or(Twist2{nan, nan}), instantNow(), isHold(msg)));
