@@ -53,8 +53,12 @@ void RobotModel::check(Problems& problems) const {
   if (outline.size() % 2 != 0) return problems.push_back("outline: must be pairs x, y");
   const std::string wrong = Outline::problem(cornersOf(outline));
   if (!wrong.empty()) return problems.push_back("outline: " + wrong);
-  if (disc_radius > 0.0 && disc_radius < exactOutline().halfWidth())
+  constexpr double kRound = 0.75;  // of the farthest corner, which a Burger has cut
+  if (disc_radius > 0.0 && disc_radius < exactOutline().halfWidth()) {
     problems.emplace_back("disc_radius: must be 0 or at least half the width of the outline");
+  } else if (disc_radius > 0.0 && disc_radius < kRound * exactOutline().circumscribedRadius()) {
+    problems.emplace_back("disc_radius: must be 0 for an outline whose corners are so far out, or larger");
+  }
 }
 
 }  // namespace frontier_pilot

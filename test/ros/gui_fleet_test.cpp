@@ -99,10 +99,10 @@ bool listensTo(const std::string& topic) {
 }
 
 // [GUI-3] [MUL-1]
-TEST_F(FleetOnTheWire, ListensToTheMapOfTheRobotThatWasChosenAndNotToTheMergedOne) {
+TEST_F(FleetOnTheWire, ListensToTheMapThatTheRobotWhichWasChosenPlansOn) {
   EXPECT_TRUE(waitFor([] { return listensTo("/robot1/map_changes"); }));
   click("robot_robot2");
-  EXPECT_TRUE(waitFor([] { return listensTo("/robot2/map_changes"); }));
+  EXPECT_TRUE(waitFor([] { return listensTo("/robot2/merged_map_changes"); }));
   // The links to what was shown before, to the first window's own topics too, live on for twelve seconds
   // (FleetBridge::retire).
   constexpr int kRetired = 30'000;  // [ms]

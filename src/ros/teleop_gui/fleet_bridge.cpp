@@ -31,6 +31,16 @@ std::string absolute(const std::string& robot, const std::string& name) {
   return robot == kRoot ? "/" + name : "/" + names::ofRobot(robot, name);
 }
 
+/// A robot's names as its navigator has them: one with a name in the fleet plans on the map that map_merger makes for
+/// it. [MUL-1]
+ros::NodeHandle nodeOf(const std::string& robot) {
+  const auto fleet_name = ros::NodeHandle(absolute(robot, names::kNavigatorNode)).param<std::string>("fleet/name", "");
+  ros::M_string remappings;
+  if (!fleet_name.empty())
+    remappings = {{names::kMap, names::kMergedMap}, {names::kMapUpdates, names::kMergedMapUpdates}};
+  return {robot == kRoot ? robot : "/" + robot, remappings};
+}
+
 /// A robot as its navigator was told.
 struct DescribedRobot {
   RobotModel robot;
@@ -169,8 +179,7 @@ void FleetBridge::open(const std::string& robot) {
     opened.name = robot;
     connections_.guard().run("opening " + robot, [&] {
       opened.parameters = parametersOf(robot);
-      opened.link = std::make_unique<GuiBridge>(ros::NodeHandle(robot == kRoot ? robot : "/" + robot),
-                                                opened.parameters, GuiBridge::Manual::kAlways, running_);
+      opened.link = std::make_unique<GuiBridge>(nodeOf(robot), opened.parameters, GuiBridge::Manual::kAlways, running_);
     });
     return opened;
   });

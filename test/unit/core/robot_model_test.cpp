@@ -47,6 +47,9 @@ TEST(RobotModels, AreRefusedWithEveryProblemByName) {
             (Problems{"robot/outline: must have at least three corners"}));
   EXPECT_EQ(problems("robot: {outline: [0.3, 0.2, -0.3, 0.2, -0.3, -0.2, 0.3, -0.2], disc_radius: 1.0e-9}"),
             (Problems{"robot/disc_radius: must be 0 or at least half the width of the outline"}));
+  EXPECT_EQ(problems("robot: {outline: [0.3, 0.1, -0.3, 0.1, -0.3, -0.1, 0.3, -0.1]}"),
+            (Problems{"robot/disc_radius: must be 0 for an outline whose corners are so far out, or larger"}))
+      << "it would be driven as a Burger's disc";
   EXPECT_EQ(problems("robot: {base_frame: " + std::string(300, 'a') + "}"),
             (Problems{"robot/base_frame: must have at most 256 characters"}));
   EXPECT_EQ(problems("robot: {base_frame: odom}"), (Problems{"robot/base_frame: is odom_frame as well, 'odom'"}));
