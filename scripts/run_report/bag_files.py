@@ -41,6 +41,8 @@ class BagFiles:
     def __init__(self, paths):
         self.paths, self.notes, self.bags = paths, [], []
         self.stretches = {}  # of a run to which the bags belong
+        self.damaged_at = []  # the times after which something is left out [s]
+        self.unreadable = False  # whether nothing of a bag is there
         self.closer = contextlib.ExitStack()
 
     def __enter__(self):
@@ -64,13 +66,17 @@ class BagFiles:
         try:
             bag = self._open(path, name)
             if bag.get_message_count() == 0:
+                self.unreadable = True
                 return self.notes.append('%s: it holds no message' % name)
             self.closer.enter_context(bag)
             self.bags.append(bag)
             self.stretches[bag] = runs.stretch_of(path)
+            if bag.filename != path:
+                self.damaged_at.append(bag.get_end_time())  # a copy that was mended
         except DAMAGE as error:
             if is_of_the_system(error):
                 raise
+            self.unreadable = True
             self.notes.append('%s: it cannot be read: %s' % (name, str(error) or type(error).__name__))
 
     def _open(self, path, name):
@@ -110,8 +116,9 @@ class BagFiles:
             clock(end - first), clock(begin - first)) for end, begin in self._breaks()]
 
     def has_a_break(self, begin, end):
-        """Whether the recorder began again between these times [s]."""
-        return any(begin <= last and first <= end for last, first in self._breaks())
+        """Whether the recorder began again between these times [s], or something that it wrote then could not be read."""
+        return self.unreadable or any(begin <= time < end for time in self.damaged_at) or \
+            any(begin <= last and first <= end for last, first in self._breaks())
 
     def has_the_first_part(self):
         """Whether the oldest of the bags is where the recorder began, or a single bag that it did not write."""
@@ -138,6 +145,7 @@ class BagFiles:
             except DAMAGE as error:
                 if is_of_the_system(error):
                     raise
+                self.damaged_at.append(last)
                 note = '%s is damaged after %.0f s: %s' % (os.path.basename(bag.filename), last - self.span()[0],
                                                            str(error) or type(error).__name__)
                 if note not in self.notes:

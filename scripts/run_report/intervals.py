@@ -1,18 +1,31 @@
 """What lasted from when to when, from samples of a state."""
+import math
 
 
 class States:
-    """The values of something over time, of which only the changes are kept."""
+    """The values of something over time, of which only the changes are kept. A value of which nothing more is said lasts for `lifetime`
+    [s], and None follows it."""
 
-    def __init__(self):
+    def __init__(self, lifetime=math.inf):
+        self.lifetime = lifetime
         self.changes = []  # (time [s], value)
+        self.heard = 0.0  # when a value was said last, by the same time
 
     def add(self, time, value):
+        if time - self.heard > self.lifetime:
+            self.interrupt()
+        self.heard = time
         if not self.changes or self.changes[-1][1] != value:
             self.changes.append((time, value))
 
+    def interrupt(self, at=0.0):
+        """What was said last need not last any longer than until `at`, or until it was said."""
+        if self.changes and self.changes[-1][1] is not None:
+            self.changes.append((max(at, self.heard, self.changes[-1][0]), None))
+
     def intervals(self, end):
-        """(begin, end, value) of each value [s]; the last one lasts until `end`."""
+        """(begin, end, value) of each value [s]; the last one lasts until `end`, unless its lifetime is over by then."""
+        end = min(end, self.heard + self.lifetime)
         ends = [time for time, _ in self.changes[1:]] + [end]
         return [(begin, max(begin, until), value) for (begin, value), until in zip(self.changes, ends)]
 

@@ -14,6 +14,7 @@ from .warnings import Warnings
 
 EMERGENCY_STOP = 2  # ArbiterStatus
 SILENCE = 30.0  # [s] without any message, of which several come each second, after which something has happened to the clock
+LIFETIME = 5.0  # [s], in which the arbiter and the avoider say several times what they do
 AVOIDING = (3, 4, 5, 6)  # AvoiderStatus: reverse, rotate, fault, stuck
 # What a bag is read for, by the names that our nodes give to the topics, with their types.
 ROLES = {'map': 'nav_msgs/OccupancyGrid', 'map_updates': 'map_msgs/OccupancyGridUpdate', '/tf': 'tf2_msgs/TFMessage',
@@ -48,8 +49,9 @@ def names_in(bags, infos):
     names = {}
     for role, kind in TYPES.items():
         alike = [name for name in topics if topics[name] == kind and ('/' + name.lstrip('/')).endswith('/' + role.lstrip('/'))]
-        if topics.get(noted.get(role)) == kind:
-            names[role] = noted[role]
+        if role in noted:  # without a message in the bag nothing is known of it: another robot may have such a topic
+            if topics.get(noted[role]) == kind:
+                names[role] = noted[role]
         elif alike:
             names[role] = min(alike, key=len)
     return names
@@ -68,8 +70,8 @@ class Run:
         self.explorer = []  # (time, Progress)
         self.counts = Counts()
         self.frontiers = []  # (x, y) of the last status [m]
-        self.source, self.stop, self.contact = States(), States(), States()
-        self.recovery, self.avoiding = States(), States()
+        self.source, self.avoiding = States(LIFETIME), States(LIFETIME)
+        self.stop, self.contact, self.recovery = States(), States(), States()
         self.actions = []  # (time, action, text of the result)
         self.heard = set()  # the roles of which there was a message that could be used
         self.takes = {
@@ -86,11 +88,15 @@ class Run:
         names = names_in(bags, infos)
         self.begin, self.end = bags.span()
         self._find_frames(bags, names)
+        self.warnings.namespace = self.start_info and self.start_info['namespace']
         roles = {name: role for role, name in names.items() if role in ROLES}
         last, gaps = self.begin, []
         for topic, message, time in bags.messages(list(roles)):
             if self.start_info and time - last > SILENCE and not bags.has_a_break(last, time):
                 gaps.append(time - last)
+            if time - last > LIFETIME and bags.has_a_break(last, time):
+                for states in (self.source, self.avoiding, self.contact, self.recovery):
+                    states.interrupt(last)
             last = time
             self.begin, self.end = min(self.begin, time), max(self.end, time)
             try:

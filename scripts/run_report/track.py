@@ -75,11 +75,16 @@ class MapImage:
     def __init__(self):
         self.cells = None  # rows from the lower edge of occupancy in per cent, -1 unknown
         self.resolution, self.origin, self.frame = 0.0, (0.0, 0.0), 'map'
+        self.taken = None  # the stamp of the last whole map [s]
 
     def take(self, grid):
         place = grid.info.resolution, grid.info.origin.position.x, grid.info.origin.position.y
         if grid.info.width * grid.info.height != len(grid.data) or not grid.data or not all(map(math.isfinite, place)):
             return
+        stamp = grid.header.stamp.to_sec()
+        if stamp and stamp == self.taken:
+            return  # rosbag writes a latched message once more at the beginning of each part, and changes have come since
+        self.taken = stamp
         self.cells = numpy.array(grid.data, numpy.int8).reshape(grid.info.height, grid.info.width)
         self.resolution, self.frame = grid.info.resolution, bare(grid.header.frame_id)
         self.origin = grid.info.origin.position.x, grid.info.origin.position.y

@@ -31,7 +31,9 @@ class Warnings:
 
     def __init__(self):
         self.diagnostics, self.log = {}, {}
+        self.namespace = None  # of the robot whose loops are counted; None: that of the first mapper
         self.loops = []  # (time [s], loops closed until then)
+        self.closed_before, self.closed = 0, 0  # by mappers that have ended, and by the last one
 
     def take_diagnostics(self, time, array):
         for status in array.status:
@@ -49,11 +51,23 @@ class Warnings:
         findings.setdefault(key, Finding(who, level, text)).note(time, gap)
 
     def _count_loops(self, time, status):
+        namespace = status.name.split(':')[0].strip('/').rpartition('/')[0]
         for value in status.values:
-            if value.key == 'loops closed' and COUNT.fullmatch(value.value):
-                count = int(value.value)
-                if count > (self.loops[-1][1] if self.loops else 0):
-                    self.loops.append((time, count))
+            if value.key != 'loops closed' or not COUNT.fullmatch(value.value):
+                continue
+            if self.namespace is None:
+                self.namespace = namespace
+            if namespace == self.namespace.strip('/'):
+                self._note_loops(time, int(value.value))
+
+    def _note_loops(self, time, count):
+        """A mapper that is started again counts anew."""
+        if count < self.closed:
+            self.closed_before += self.closed
+        self.closed = count
+        whole = self.closed_before + count
+        if whole > (self.loops[-1][1] if self.loops else 0):
+            self.loops.append((time, whole))
 
     @staticmethod
     def sorted(findings):

@@ -9,8 +9,9 @@
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr double kPeriod = 0.25;       ///< between two decisions [s]
-constexpr double kApart = 0.1;         ///< gap with which robots pass each other [m]
+constexpr double kPeriod = 0.25;          ///< between two decisions [s]
+constexpr std::size_t kMostRelated = 20;  ///< robots whose ways are compared with the own one, the nearest
+constexpr double kApart = 0.1;            ///< gap with which robots pass each other [m]
 constexpr double kRoom = 0.15;         ///< the same, on each of three sides, of two robots that pass in a passage [m]
 constexpr double kBayGap = 0.1;        ///< further gap of a place to wait at [m]
 constexpr double kHalt = 0.8;          ///< how far before a narrow stretch a robot waits [m]
@@ -96,7 +97,13 @@ void TrafficRule::decide(const TrafficInputs& inputs, Time now) {
   }
   listen(inputs, now);
   if (inputs.map == nullptr || inputs.map->empty()) others_.clear();
-  for (Other& other : others_) relate(other, inputs, now);
+  // Anybody can send the ways of a hundred robots, and each takes a look at all of both ways.
+  const std::size_t count = std::min(others_.size(), kMostRelated);
+  const auto is_nearer = [this](const Other& a, const Other& b) {
+    return (a.position - position_).squaredNorm() < (b.position - position_).squaredNorm();
+  };
+  if (count < others_.size()) std::nth_element(others_.begin(), others_.begin() + count, others_.end(), is_nearer);
+  for (std::size_t i = 0; i < count; ++i) relate(others_[i], inputs, now);
   order_ = orderOf(inputs, now);
   for (const Other& other : others_) {
     if (other.relation == Relation::kPasses) order_.making_way.push_back({other.position, other.radius + kBlur});

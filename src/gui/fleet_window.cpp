@@ -50,7 +50,6 @@ void FleetWindow::release() {
 void FleetWindow::choose(const std::string& robot) {
   if (released_ || robot == chosen_) return;
   chosen_ = robot;
-  stop_when_opened_ = false;
   widget_->stopBecause("another robot was chosen");
   fleet_link_.open(robot);
 }
@@ -80,7 +79,6 @@ void FleetWindow::receive(teleop::OpenedRobot robot) {
   const bool is_wanted = robot.name == chosen_;
   if (is_wanted && robot.link) {
     showRobot(std::move(robot));
-    if (std::exchange(stop_when_opened_, false)) link_->request(stopRequest());
     return;
   }
   if (is_wanted) chosen_ = shown_;  // it could not be opened, and may be chosen again
@@ -99,14 +97,20 @@ void FleetWindow::refresh() {
 /// Whoever presses it just after the click on a name means the robot that was chosen, which is not open yet. The one
 /// that is still shown is stopped as well.
 void FleetWindow::noteStop(const teleop::OperatorRequest& request) {
-  const bool is_stop = request.kind == teleop::OperatorRequest::Kind::kEmergencyStop;
-  stop_when_opened_ = stop_when_opened_ || (is_stop && chosen_ != shown_);
+  if (request.kind == teleop::OperatorRequest::Kind::kEmergencyStop) stopChosen();
 }
 
-/// The robot that is shown is stopped by itself, too: its arbiter may be there when the node that stops all is not.
+/// A robot that is not open yet: it may never be, if another one is chosen meanwhile.
+void FleetWindow::stopChosen() {
+  if (chosen_ != shown_) fleet_link_.stop(chosen_);
+}
+
+/// The robot that is shown is stopped by itself, too, and so is the chosen one: their arbiters may be there when the
+/// node that stops all is not.
 void FleetWindow::stopAll() {
   widget_->stopBecause("all robots are to stop");
   link_->request(stopRequest());
+  stopChosen();
   fleet_link_.stopAll();
 }
 

@@ -45,11 +45,11 @@ class FleetWindow : public QWidget {
   void showRobot(teleop::OpenedRobot robot);
   bool ownRobotIsMissing() const;
   void noteStop(const teleop::OperatorRequest& request);
+  void stopChosen();
   void stopAll();
 
   teleop::FleetLink& fleet_link_;
-  std::string shown_, chosen_;     ///< the chosen robot may not be open yet
-  bool stop_when_opened_ = false;  ///< a stop was pressed since it was chosen
+  std::string shown_, chosen_;  ///< the chosen robot may not be open yet
   bool released_ = false;
   QVBoxLayout* layout_;
   FleetCard* card_;

@@ -55,13 +55,13 @@ void PilotController::beat() {
 void PilotController::pass(const teleop::OperatorRequest& request) {
   const bool up_to_date = respond();
   if (up_to_date || endsMotion(request)) return link_.request(request);
-  widget_.appendLog({teleop::Severity::kWarning,
-                     "what was clicked while the window was frozen, or just after it, is not done: click again"});
+  widget_.sayNotDone(request);
 }
 
 bool PilotController::respond() {
-  const bool froze = since_beat_.isValid() && since_beat_.nsecsElapsed() > liveness_timeout_.count();
-  since_beat_.start();
+  const SteadyTime now = link_.now();
+  const bool froze = beat_at_ && now - *beat_at_ > liveness_timeout_;
+  beat_at_ = now;
   if (froze) since_freeze_.start();
   if (!since_freeze_.isValid() || since_freeze_.hasExpired(kBacklog)) return true;
   // This changes the set-point, which calls `beat` and so this function again, but then with a set-point of zero.

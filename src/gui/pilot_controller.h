@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
 #include "gui/pilot_widget.h"
 #include "teleop/operator_link.h"
@@ -41,9 +42,9 @@ class PilotController : public QObject {
   teleop::OperatorLink& link_;
   Duration liveness_timeout_;
   QTimer beat_timer_, refresh_timer_;
-  QElapsedTimer since_beat_;    ///< the last time that the window showed that it responds
-  QElapsedTimer since_freeze_;  ///< the last time that it was found to have been frozen
-  bool map_is_due_ = true;      ///< at every second refresh
+  std::optional<SteadyTime> beat_at_;  ///< when the window showed last that it responds
+  QElapsedTimer since_freeze_;         ///< the last time that it was found to have been frozen
+  bool map_is_due_ = true;             ///< at every second refresh
   bool closed_ = false;
 };
 

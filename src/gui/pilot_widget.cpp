@@ -206,6 +206,15 @@ void PilotWidget::setMap(const teleop::MapView& view) { map_card_->setView(view)
 
 void PilotWidget::appendLog(const teleop::OperatorLogLine& line) { log_card_->append(line); }
 
+void PilotWidget::sayNotDone(const teleop::OperatorRequest& request) {
+  using Kind = teleop::OperatorRequest::Kind;
+  appendLog({teleop::Severity::kWarning,
+             "what was clicked while the window was frozen, or just after it, is not done: click again"});
+  const bool is_of_map = request.kind == Kind::kGoTo || request.kind == Kind::kFollowWaypoints ||
+                         request.kind == Kind::kSaveMap || request.kind == Kind::kLoadMap;
+  if (is_of_map) map_card_->sayNotDone();
+}
+
 void PilotWidget::stopBecause(const std::string& reason) {
   if (std::exchange(clears_left_, 0) > 0)
     appendLog({teleop::Severity::kWarning, "the stop is not cleared any more: " + reason});

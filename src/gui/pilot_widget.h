@@ -40,6 +40,8 @@ class PilotWidget : public QWidget {
   void setState(const teleop::OperatorState& state);
   void setMap(const teleop::MapView& view);
   void appendLog(const teleop::OperatorLogLine& line);
+  /// The request was made while the window was frozen, or just after it.
+  void sayNotDone(const teleop::OperatorRequest& request);
   /// The manual set-point, in the base frame.
   Twist2 setPoint() const { return drive_.setPoint(); }
   /// Zeroes the set-point and logs the reason. A clear that was still to come is not made.

@@ -10,6 +10,18 @@ double directionOf(const Path& path, std::size_t segment) {
   return bearing(path.points()[segment + 1] - path.points()[segment]);
 }
 
+constexpr double kSaturation = 1e-4;  // [m], by which an interpolated value may be below the largest one
+
+bool isRingClear(const ClearanceMap& map, const Vec2& centre, double radius, double needed) {
+  constexpr double kApart = 0.025;  // [m]
+  const int places = static_cast<int>(std::ceil(2.0 * kPi * radius / kApart));
+  for (int i = 0; i < places; ++i) {
+    const double angle = 2.0 * kPi * i / places;
+    if (map.clearance(centre + radius * Vec2(std::cos(angle), std::sin(angle))) < needed) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 OutlineCheck::OutlineCheck(const Outline& outline) {
@@ -40,7 +52,7 @@ double OutlineCheck::neededClearance(const ClearanceMap& map) const {
 bool OutlineCheck::fits(const ClearanceMap& map, const Pose2& T_map_base, double slack) const {
   const double needed = neededClearance(map) - slack;
   // In open space one look-up suffices for all points.
-  if (canTurnRound(map, T_map_base.position())) return true;
+  if (map.clearance(T_map_base.position()) >= reach_ + neededClearance(map)) return true;
   return std::all_of(points_.begin(), points_.end(),
                      [&](const Vec2& point) { return map.clearance(T_map_base * point) >= needed; });
 }
@@ -71,7 +83,16 @@ bool OutlineCheck::canTurn(const ClearanceMap& map, const Vec2& position, double
 }
 
 bool OutlineCheck::canTurnRound(const ClearanceMap& map, const Vec2& position) const {
-  return isTrivial() || map.clearance(position) >= reach_ + neededClearance(map);
+  if (isTrivial()) return true;
+  const double needed = neededClearance(map), clearance = map.clearance(position);
+  if (clearance >= reach_ + needed) return true;
+  // Where the map tells no larger clearance, and the robot is larger, the rest of the circle is looked at.
+  const double known = map.farthestClearance();
+  if (clearance < known - kSaturation) return false;
+  for (double radius = reach_; radius + needed > known; radius -= needed) {
+    if (!isRingClear(map, position, radius, needed)) return false;
+  }
+  return true;
 }
 
 bool OutlineCheck::canDrive(const ClearanceMap& map, const Vec2& from, const Vec2& to) const {

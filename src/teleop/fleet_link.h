@@ -35,6 +35,8 @@ class FleetLink {
   virtual void retire(std::unique_ptr<OperatorLink> link) = 0;
   /// Asks again and again for ten seconds that all robots stop, until there is an answer, which `FleetView::stop` has.
   virtual void stopAll() = 0;
+  /// The same for one robot, which need not be open. `FleetView::stop` has its answer.
+  virtual void stop(const std::string& robot) = 0;
 };
 
 }  // namespace frontier_pilot::teleop

@@ -53,6 +53,9 @@ class OperatorLink {
  public:
   virtual ~OperatorLink() = default;
 
+  /// The time by which a window that does not respond is noticed. It goes on while the computer is suspended: whoever
+  /// opens the lid again has let go of the robot meanwhile.
+  virtual SteadyTime now() const = 0;
   virtual OperatorState state() = 0;
   /// The window's heartbeat, with its set-point. Expected every 50 ms.
   virtual void beat(const Twist2& set_point) = 0;

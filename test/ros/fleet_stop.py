@@ -152,7 +152,7 @@ class FleetStop(unittest.TestCase):
             calls.append(time.monotonic())
             if len(calls) == 1:
                 time.sleep(2.5)
-            return TriggerResponse(True, 'stopped')
+            return TriggerResponse(True, 'stopped (answered by a test)')
         stranger = rospy.Publisher('/robot3/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
         self.addCleanup(stranger.unregister)
         service = rospy.Service('/robot3/emergency_stop', Trigger, stop)

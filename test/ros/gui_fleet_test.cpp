@@ -110,6 +110,16 @@ TEST_F(FleetOnTheWire, ListensToTheMapThatTheRobotWhichWasChosenPlansOn) {
       QTest::qWaitFor([] { return !listensTo("/map_changes") && !listensTo("/robot1/map_changes"); }, kRetired));
 }
 
+// [GUI-1] [MUL-4]
+TEST_F(FleetOnTheWire, StopsTheRobotThatWasChosenAMomentAgoAsWell) {
+  click("robot_robot2");
+  click("emergency_stop");
+  for (const char* robot : {"robot_state_robot1", "robot_state_robot2"})
+    EXPECT_TRUE(waitFor([&] { return said(robot).startsWith("emergency stop: "); })) << said(robot).toStdString();
+  EXPECT_TRUE(waitFor([&] { return window_.shown() == "robot2" && driver().contains("stop", Qt::CaseInsensitive); }))
+      << driver().toStdString();
+}
+
 // [GUI-2] [MUL-4]
 TEST_F(FleetOnTheWire, StopsAllRobotsAndShowsThatTheyAreStopped) {
   click("Go");

@@ -281,6 +281,11 @@ class PatrolTest(unittest.TestCase):
                 asked = time.monotonic()
                 os.kill(server.pid, number)
                 self.assert_noticed(client, 'server is gone', asked)
+                if number == signal.SIGSTOP:
+                    woken = time.monotonic()
+                    os.kill(server.pid, signal.SIGCONT)
+                    time.sleep(2.0)  # that nothing moves can only be seen by waiting
+                    self.assertFalse([command for command in commands.since(woken) if moves(command)], 'nobody waits for it any more')
                 commands.subscriber.unregister()
             finally:
                 for process in (server, client):

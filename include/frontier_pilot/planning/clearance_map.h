@@ -63,6 +63,8 @@ class ClearanceMap {
   const grids::DistanceField& field() const { return field_; }
   /// Least interpolated distance at which contact is impossible [m].
   double requiredClearance() const { return required_; }
+  /// What `clearance` gives where every obstacle is at least so far away [m].
+  double farthestClearance() const { return field_.maxDistance(); }
   /// Least interpolated distance that a path keeps, tight places included [m].
   double leastClearance() const { return least_; }
 

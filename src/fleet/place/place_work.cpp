@@ -75,9 +75,9 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now, const std::function<bool(
     look.reversed = !look.reversed;
     finding.reversed = look.reversed;
     finding.last_window = look.last_window[look.reversed ? 1 : 0];
-    searching_ = true;
     const auto a = std::make_shared<const OccupancyGrid>(reference.map());
     const auto b = std::make_shared<const OccupancyGrid>(robot.map());
+    searching_ = true;  // there was memory for the copies
     return [=] { return find(finding, *a, *b, T_a_b, stop); };
   }
   return std::nullopt;

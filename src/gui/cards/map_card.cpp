@@ -113,6 +113,8 @@ void MapCard::aim(bool on) {
   if (on) picture_->setFocus();  // so that Esc reaches it
 }
 
+void MapCard::sayNotDone() { say("Not done, because the window was frozen: click again.", teleop::Severity::kWarning); }
+
 void MapCard::say(const QString& text, teleop::Severity severity) {
   message_->setFullText(text);
   dot_->setSeverity(severity);

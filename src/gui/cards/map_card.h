@@ -14,6 +14,8 @@ class MapCard : public Card {
   explicit MapCard(const Outline& robot, QWidget* parent = nullptr);
   void setState(const teleop::OperatorState& state);
   void setView(const teleop::MapView& view);
+  /// What was asked for here last is not done, because the window was frozen.
+  void sayNotDone();
 
  signals:
   void goAsked(const frontier_pilot::Pose2& goal);

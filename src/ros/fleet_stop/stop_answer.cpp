@@ -22,6 +22,9 @@ std::string reasonOf(const StopAnswer& answer) {
   return "?";
 }
 
+/// Without that it may be another node that has taken the service, and nothing is latched. [ARB-12]
+bool isSigned(const std::string& text) { return text.find("(answered by ") != std::string::npos; }
+
 }  // namespace
 
 std::string robotOf(const std::string& service) {
@@ -52,6 +55,8 @@ FleetAnswer summarize(const std::vector<RobotAnswer>& answers) {
       answer.message += "; not confirmed by " + name + ": " + reasonOf(robot.answer);
     } else if (mayBeUnsent(robot.answer.text)) {
       answer.message += "; " + name + ": " + robot.answer.text;
+    } else if (!isSigned(robot.answer.text)) {
+      answer.message += "; the answer of " + name + " is not signed by an arbiter: make sure that the robot stands";
     }
   }
   return answer;

@@ -5,6 +5,7 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/names.h"
+#include "ros/common/publish_flush.h"
 
 namespace frontier_pilot {
 namespace {
@@ -58,19 +59,25 @@ void PatrolClientAdapter::send() {
 
 std::optional<patrol::PatrolExit> PatrolClientAdapter::watch(int interrupts_so_far) {
   if (serverLost()) {
+    cancel();  // a server that only hangs would drive on when it wakes
     complain("the patrol server is gone; the robot stops because its commands expire");
     return patrol::PatrolExit::kNoServer;
   }
   if (interrupts_so_far > 0 && phase_ == Phase::kRunning) {
     say("stopping ...");
-    client_.cancel();
-    phase_ = Phase::kCanceling;
-    since_ = steadyNow();
+    cancel();
   }
   if (phase_ != Phase::kCanceling) return std::nullopt;
   if (interrupts_so_far < 2 && steadyNow() - since_ < kCancelPatience) return std::nullopt;
   complain("the server has not confirmed that it stopped");
   return patrol::PatrolExit::kInterrupted;
+}
+
+void PatrolClientAdapter::cancel() {
+  client_.cancel();
+  flushLastWords();
+  phase_ = Phase::kCanceling;
+  since_ = steadyNow();
 }
 
 bool PatrolClientAdapter::serverLost() {

@@ -23,6 +23,9 @@ class PatrolClientAdapter {
   /// outcome as soon as there is one. To be called often, between callbacks.
   std::optional<patrol::PatrolExit> update(int interrupts);
 
+  /// Whether a cancel was sent that the server has not answered.
+  bool awaitsCancel() const { return phase_ == Phase::kCanceling && !outcome_; }
+
   /// Prints a line on stderr that begins with the program's name.
   static void complain(const std::string& text);
 
@@ -32,6 +35,7 @@ class PatrolClientAdapter {
   std::optional<patrol::PatrolExit> connect(int interrupts);
   std::optional<patrol::PatrolExit> watch(int interrupts);
   bool serverLost();
+  void cancel();
   void send();
   void handleStatus();
   void handleFeedback(const PatrolFeedbackConstPtr& feedback);

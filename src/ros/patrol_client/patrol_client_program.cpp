@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -81,7 +83,12 @@ int runPatrolClient(int argc, char** argv) {
   PatrolClientAdapter client(node, *line.goal);
   while (ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kTimeLook));
-    if (const auto outcome = client.update(interrupts)) return codeOf(*outcome);
+    const auto outcome = client.update(interrupts);
+    if (!outcome) continue;
+    std::cout.flush();
+    // An end in order takes this node from the master, and a server that wakes then drops the connection, unread.
+    if (client.awaitsCancel()) std::_Exit(codeOf(*outcome));
+    return codeOf(*outcome);
   }
   return codeOf(patrol::PatrolExit::kNoServer);
 }

@@ -25,6 +25,7 @@ constexpr Duration kNews = std::chrono::seconds(10);  // after that a robot that
 /// For the answer to a stop of all robots: fleet_stop waits for theirs for as long as its `patience`, which is at most
 /// three seconds.
 constexpr Duration kFleetPatience = std::chrono::seconds(5);
+constexpr Duration kRobotPatience = std::chrono::milliseconds(1500);
 
 /// The absolute name of what belongs to a robot.
 std::string absolute(const std::string& robot, const std::string& name) {
@@ -62,11 +63,11 @@ FleetBridge::FleetBridge(const ros::NodeHandle& node, const teleop::TeleopParame
       own_node_(node),
       node_(onQueue(node, queue_)),
       stop_caller_(node_, logForOperator,
-                   [this](const auto&, bool success, const std::string& message) {
-                     const std::lock_guard<std::mutex> lock(mutex_);
-                     stop_ = {severityOfAnswer(success, message), printable(message, bounds::kMostReason)};
-                     answered_at_ = steadyNow();
-                   }),
+                   [this](const auto&, bool success, const std::string& message) { showAnswer(success, message); }),
+      robot_stop_caller_(node_, logForOperator,
+                         [this](const auto& service, bool success, const std::string& message) {
+                           showAnswer(success, service + ": " + message);
+                         }),
       watch_(node_, [](const std::string&) {}),
       connections_(node_),
       spinner_(1, &queue_) {
@@ -128,6 +129,7 @@ teleop::RobotView FleetBridge::viewOf(const std::string& name, bool reached, Ste
 teleop::FleetView FleetBridge::fleet() {
   const SteadyTime now = steadyNow();
   stop_caller_.lookAfter(now);
+  robot_stop_caller_.lookAfter(now);
   endRetired(now);
   teleop::FleetView view;
   view.connected = watch_.masterUp();
@@ -199,6 +201,16 @@ void FleetBridge::endRetired(SteadyTime now) {
     return true;
   });
   retired_.pop_front();
+}
+
+void FleetBridge::showAnswer(bool success, const std::string& text) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stop_ = {severityOfAnswer(success, text), printable(text, bounds::kMostReason)};
+  answered_at_ = steadyNow();
+}
+
+void FleetBridge::stop(const std::string& robot) {
+  robot_stop_caller_.insist(absolute(robot, names::kEmergencyStop), kRobotPatience);
 }
 
 void FleetBridge::stopAll() {

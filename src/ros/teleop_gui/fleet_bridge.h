@@ -38,6 +38,7 @@ class FleetBridge : public teleop::FleetLink {
   std::optional<teleop::OpenedRobot> takeOpened() override;
   void retire(std::unique_ptr<teleop::OperatorLink> link) override;
   void stopAll() override;
+  void stop(const std::string& robot) override;
 
  private:
   /// The latest that a robot has said.
@@ -58,6 +59,7 @@ class FleetBridge : public teleop::FleetLink {
   teleop::RobotView viewOf(const std::string& name, bool reached, SteadyTime now) const;
   teleop::TeleopParameters parametersOf(const std::string& robot);
   void endRetired(SteadyTime now);
+  void showAnswer(bool success, const std::string& text);
 
   const teleop::TeleopParameters parameters_;
   const std::function<bool()> running_;
@@ -70,7 +72,7 @@ class FleetBridge : public teleop::FleetLink {
   const ros::NodeHandle own_node_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
-  ServiceCaller stop_caller_;
+  ServiceCaller stop_caller_, robot_stop_caller_;
   ServiceWatch watch_;
   NodeConnections connections_;
   ros::AsyncSpinner spinner_;

@@ -1,6 +1,7 @@
 #include "ros/teleop_gui/gui_bridge.h"
 
 #include <geometry_msgs/Twist.h>
+#include <ctime>
 #include <utility>
 
 #include "ros/common/master/xml_rpc.h"
@@ -75,9 +76,15 @@ void GuiBridge::watchServices() {
   }
 }
 
+SteadyTime GuiBridge::now() const {
+  timespec time{};
+  clock_gettime(CLOCK_BOOTTIME, &time);  // steady_clock stands still while the computer is suspended
+  return SteadyTime(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+}
+
 void GuiBridge::beat(const Twist2& set_point) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  manual_output_.beat(set_point, steadyNow());
+  manual_output_.beat(set_point, this->now());
   if (!set_point.isZero()) last_motion_ = steadyNow();
 }
 
@@ -113,7 +120,7 @@ GuiBridge::TopicNeed GuiBridge::publishManual(SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto before = manual_output_.state();
   // Also while nobody drives: a set-point that is the first ever told would be taken for one from before a freeze.
-  const std::optional<Twist2> command = manual_output_.update(manualOn(now), now);
+  const std::optional<Twist2> command = manual_output_.update(manualOn(now), this->now());
   if (!manualWanted(now)) return manual_publisher_ ? TopicNeed::kClose : TopicNeed::kNone;
   if (manual_output_.state() == teleop::ManualOutput::State::kFrozen &&
       before != teleop::ManualOutput::State::kFrozen) {

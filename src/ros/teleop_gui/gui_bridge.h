@@ -46,6 +46,7 @@ class GuiBridge : public teleop::OperatorLink {
   ~GuiBridge() override;
 
   teleop::OperatorState state() override;
+  SteadyTime now() const override;
   void beat(const Twist2& set_point) override;
   void request(const teleop::OperatorRequest& request) override;
   teleop::MapView takeMap() override { return map_.take(); }

@@ -19,6 +19,7 @@ class RecordingFleet : public teleop::FleetLink {
   class Forwarding : public teleop::OperatorLink {
    public:
     explicit Forwarding(test::RecordingLink& to) : to_(to) {}
+    SteadyTime now() const override { return to_.now(); }
     teleop::OperatorState state() override { return to_.state(); }
     void beat(const Twist2& set_point) override { to_.beat(set_point); }
     void request(const teleop::OperatorRequest& request) override { to_.request(request); }
@@ -45,10 +46,11 @@ class RecordingFleet : public teleop::FleetLink {
   }
   void retire(std::unique_ptr<teleop::OperatorLink> link) override { retired.push_back(std::move(link)); }
   void stopAll() override { ++stops; }
+  void stop(const std::string& robot) override { stopped.push_back(robot); }
 
   teleop::FleetView view;
   std::map<std::string, test::RecordingLink> links;
-  std::vector<std::string> asked;
+  std::vector<std::string> asked, stopped;
   std::vector<std::unique_ptr<teleop::OperatorLink>> retired;
   bool opens = true, broken = false;
   int stops = 0;
@@ -138,13 +140,14 @@ TEST_F(FleetWindowTest, AStopThatIsPressedBeforeTheChosenRobotIsOpenStopsBoth_GU
   click("robot_robot2");
   click("emergency_stop");
   ASSERT_EQ(fleet_.links["robot1"].requests.size(), 1U);
+  EXPECT_EQ(fleet_.stopped, std::vector<std::string>{"robot2"}) << "whatever becomes of its opening";
+  click("stop_all");
+  EXPECT_EQ(fleet_.stopped, (std::vector<std::string>{"robot2", "robot2"}));
   fleet_.opens = true;
   ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot2"; }));
-  ASSERT_EQ(fleet_.links["robot2"].requests.size(), 1U);
-  EXPECT_EQ(fleet_.links["robot2"].requests.front().kind, teleop::OperatorRequest::Kind::kEmergencyStop);
-  click("robot_robot1");
-  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot1"; }));
-  EXPECT_EQ(fleet_.links["robot1"].requests.size(), 1U) << "once";
+  click("emergency_stop");
+  EXPECT_EQ(fleet_.stopped.size(), 2U) << "it has a link of its own now";
+  EXPECT_EQ(fleet_.links["robot2"].requests.size(), 1U);
 }
 
 // [GUI-3] until the next robot is there, the window goes on with the one that it shows

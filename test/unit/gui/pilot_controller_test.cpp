@@ -43,6 +43,16 @@ TEST_F(PilotControllerTest, AWindowThatWasFrozenDropsItsSetPoint) {
   EXPECT_TRUE(logText().contains("frozen"));
 }
 
+// [GUI-3]
+TEST_F(PilotControllerTest, AWindowWhoseComputerWasSuspendedDropsItsSetPoint) {
+  gui::PilotController controller(widget_, link_, std::chrono::minutes(1));
+  clickGo();
+  ASSERT_FALSE(widget_.setPoint().isZero());
+  link_.suspended = std::chrono::minutes(2);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return widget_.setPoint().isZero(); }));
+  EXPECT_TRUE(link_.beats.back().isZero());
+}
+
 TEST_F(PilotControllerTest, AWindowThatWasFrozenWithoutASetPointHasNothingToTell) {
   gui::PilotController controller(widget_, link_, Duration::zero());
   EXPECT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
@@ -56,6 +66,11 @@ TEST_F(PilotControllerTest, WhatWasClickedWhileTheWindowWasFrozenIsNotDone) {
   QTest::mouseClick(widget_.findChild<QWidget*>("patrol(sqr)"), Qt::LeftButton);
   EXPECT_TRUE(link_.requests.empty());
   EXPECT_TRUE(logText().contains("click again"));
+  teleop::OperatorRequest save;
+  save.kind = teleop::OperatorRequest::Kind::kSaveMap;
+  widget_.requested(save);
+  EXPECT_TRUE(link_.requests.empty());
+  EXPECT_TRUE(widget_.findChild<gui::ElidedLabel*>("map_message")->fullText().startsWith("Not done"));
 }
 
 // [GUI-3] [ARB-12]

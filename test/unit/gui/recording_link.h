@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace frontier_pilot::test {
 /// Writes down what it is told.
 class RecordingLink : public teleop::OperatorLink {
  public:
+  SteadyTime now() const override {
+    return SteadyTime(std::chrono::steady_clock::now().time_since_epoch() + suspended);
+  }
   teleop::OperatorState state() override { return shown; }
   void beat(const Twist2& set_point) override { beats.push_back(set_point); }
   void request(const teleop::OperatorRequest& request) override { requests.push_back(request); }
@@ -24,6 +28,7 @@ class RecordingLink : public teleop::OperatorLink {
   std::vector<teleop::OperatorRequest> requests;
   std::vector<teleop::OperatorLogLine> log{{teleop::Severity::kGood, "hello from the system"}};
   bool is_running = true;
+  Duration suspended{};  ///< for how long the computer was
   int closed = 0;
 };
 

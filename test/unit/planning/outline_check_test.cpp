@@ -153,5 +153,19 @@ TEST(OutlineChecks, HoldForEveryPathThatIsFound) {
   EXPECT_GT(oriented, 3) << "the shortest path for the lane is not always one for the outline";
 }
 
+// [NAV-2] The map tells clearances up to 0.4 m, and this robot reaches half a metre far.
+TEST(OutlineChecks, ALargeRobotCanTurnRoundInTheOpenAndNotBesideAnObstacle_NAV_2) {
+  const Outline outline = Outline::polygon({{0.4, 0.3}, {-0.4, 0.3}, {-0.4, -0.3}, {0.4, -0.3}});
+  const planning::OutlineCheck check(outline);
+  const OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 100, 100}, kFree);
+  const Vec2 middle = map.geometry().centre({50, 50});
+  EXPECT_TRUE(check.canTurnRound(laneMap(map, outline.halfWidth()), middle));
+  for (const double distance : {0.3, 0.45, 0.5}) {
+    OccupancyGrid furnished = map;
+    furnished[map.geometry().cellAt(middle + distance * Vec2(0.8, 0.6))] = kOccupied;
+    EXPECT_FALSE(check.canTurnRound(laneMap(furnished, outline.halfWidth()), middle)) << distance;
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot

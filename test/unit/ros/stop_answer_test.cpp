@@ -7,7 +7,7 @@
 namespace frontier_pilot {
 namespace {
 
-const StopAnswer kConfirmed{StopOutcome::kConfirmed, "stopped"};
+const StopAnswer kConfirmed{StopOutcome::kConfirmed, "stopped (answered by /robot1/cmd_vel_arbiter)"};
 
 // [MUL-4]
 TEST(StopAnswer, IsASuccessOnlyIfEveryRobotHasConfirmed_MUL_4) {
@@ -39,6 +39,14 @@ TEST(StopAnswer, SaysOfEachRobotWhetherItsZeroMayNotHaveBeenSentYet_ARB_7_MUL_4)
       summarize({{"/robot1/emergency_stop", kConfirmed}, {"/robot2/emergency_stop", {StopOutcome::kConfirmed, late}}});
   EXPECT_TRUE(answer.success);
   EXPECT_EQ(answer.message, "2 of 2 robots stopped; robot2: " + late);
+}
+
+// [ARB-12] [MUL-4]
+TEST(StopAnswer, SaysOfEachRobotWhetherAnArbiterHasAnswered_ARB_12_MUL_4) {
+  const FleetAnswer answer = summarize(
+      {{"/robot1/emergency_stop", kConfirmed}, {"/robot2/emergency_stop", {StopOutcome::kConfirmed, "stopped"}}});
+  EXPECT_EQ(answer.message,
+            "2 of 2 robots stopped; the answer of robot2 is not signed by an arbiter: make sure that the robot stands");
 }
 
 // [MUL-4]
