@@ -85,6 +85,7 @@ void MapMirror::chooseTopics(const MasterWatch& master) {
 }
 
 bool MapMirror::published() const {
+  if (connections_ == nullptr) return false;
   const MasterWatch& master = connections_->master();
   return master.mayReceive(map_subscriber_) || master.mayReceive(changes_subscriber_) || isAsking();
 }
