@@ -92,11 +92,11 @@ class Run:
         roles = {name: role for role, name in names.items() if role in ROLES}
         last, gaps = self.begin, []
         for topic, message, time in bags.messages(list(roles)):
-            if self.start_info and time - last > SILENCE and not bags.has_a_break(last, time):
-                gaps.append(time - last)
             if time - last > LIFETIME and bags.has_a_break(last, time):
                 for states in (self.source, self.avoiding, self.contact, self.recovery):
                     states.interrupt(last)
+            elif self.start_info and time - last > SILENCE:
+                gaps.append(time - last)
             last = time
             self.begin, self.end = min(self.begin, time), max(self.end, time)
             try:

@@ -8,13 +8,11 @@
 namespace frontier_pilot::behavior {
 namespace {
 
-double coast(double rate, double acceleration) { return 0.5 * rate * rate / acceleration; }
-
 /// How far a base at speed `rate` travels in `period` and in the stop after it, when the command is `speed`.
 double anotherCycle(double rate, double speed, double acceleration, double period) {
   const double ramp = std::min(period, std::abs(speed - rate) / acceleration);
   const double end = speed > rate ? rate + acceleration * ramp : rate - acceleration * ramp;
-  return 0.5 * (rate + end) * ramp + end * (period - ramp) + coast(end, acceleration);
+  return 0.5 * (rate + end) * ramp + end * (period - ramp) + brakingDistance(end, acceleration);
 }
 
 }  // namespace
@@ -29,11 +27,11 @@ ProfileStep profileStep(const MotionLimits& limits, double remaining, const Moti
   const double left = remaining - rate * estimate.age;
   const double wish = brakingSpeed(left - rate * period, limits.acceleration);
   const double speed = std::clamp(wish, limits.min_speed, limits.max_speed);
-  const double stop_now = left - coast(rate, limits.acceleration);
+  const double stop_now = left - brakingDistance(rate, limits.acceleration);
   const double stop_later = left - anotherCycle(rate, speed, limits.acceleration, period);
   const bool nearer_now = stop_now <= 0.0 || (stop_later < 0.0 && stop_now <= -stop_later);
   // A base that stops sooner than assumed must not end far short of the target: first it is slowed to the least speed.
-  const bool close = left <= coast(limits.min_speed, limits.acceleration) + 0.5 * limits.min_speed * period;
+  const bool close = left <= brakingDistance(limits.min_speed, limits.acceleration) + 0.5 * limits.min_speed * period;
   const bool reached = remaining <= 0.0 || (nearer_now && close);
   return {reached, reached ? 0.0 : speed};
 }

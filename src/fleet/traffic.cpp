@@ -97,7 +97,7 @@ void TrafficRule::decide(const TrafficInputs& inputs, Time now) {
   }
   listen(inputs, now);
   if (inputs.map == nullptr || inputs.map->empty()) others_.clear();
-  // Anybody can send the ways of a hundred robots, and each takes a look at all of both ways.
+  // Anybody can send the ways of a hundred robots, and each comparison goes along both ways.
   const std::size_t count = std::min(others_.size(), kMostRelated);
   const auto is_nearer = [this](const Other& a, const Other& b) {
     return (a.position - position_).squaredNorm() < (b.position - position_).squaredNorm();

@@ -78,7 +78,8 @@ std::optional<Vec2> BackOut::target(const Pose2& T_map_base) {
 bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {
   const double now = in.scan_distance(outline_, in.T_map_base);
   const double least = std::min({0.0, now, std::max(now - kNoise, -kNearest)});
-  const double braking = 0.5 * std::abs(command.linear) / limits_.max_linear_acc;  // as long at full speed
+  const double braking =
+      0.5 * std::abs(command.linear) / limits_.max_linear_acc;  // [s] that braking counts for, as if at this speed
   for (double t = kPoseStep; t < ahead_ + braking + 0.5 * kPoseStep; t += kPoseStep) {
     const Pose2 there = integrate(in.T_map_base, command, t);
     if (in.scan_distance(outline_, there) < least || (in.has_room && !in.has_room(there))) return false;

@@ -72,8 +72,8 @@ Twist2 StepDriver::command(double elapsed, double age) {
 Twist2 StepDriver::ahead(const Twist2& command, double seconds) const {
   constexpr double kBeyond = 0.03;  // [m]: where the robot comes to stand, and where the obstacle is, are not exact
   const Profile profile = this->profile();
-  const double braking = 0.5 * profile.speed * profile.speed / profile.acceleration;
-  const double full = profile.speed * seconds + braking, left = std::max(0.0, remaining());
+  const double full = profile.speed * seconds + brakingDistance(profile.speed, profile.acceleration);
+  const double left = std::max(0.0, remaining());
   if (step_.kind == PatrolStep::Kind::kTurn) return {0.0, std::min(full, left)};
   const double reach = std::min(full, left + (step_.kind == PatrolStep::Kind::kArc ? kBeyond / step_.radius : kBeyond));
   if (command.linear == 0.0) return {0.0, command.angular * seconds};

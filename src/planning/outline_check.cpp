@@ -6,11 +6,11 @@
 namespace frontier_pilot::planning {
 namespace {
 
+constexpr double kSaturation = 1e-4;  // [m], by which an interpolated value may be below the largest one
+
 double directionOf(const Path& path, std::size_t segment) {
   return bearing(path.points()[segment + 1] - path.points()[segment]);
 }
-
-constexpr double kSaturation = 1e-4;  // [m], by which an interpolated value may be below the largest one
 
 bool isRingClear(const ClearanceMap& map, const Vec2& centre, double radius, double needed) {
   constexpr double kApart = 0.025;  // [m]
@@ -52,7 +52,7 @@ double OutlineCheck::neededClearance(const ClearanceMap& map) const {
 bool OutlineCheck::fits(const ClearanceMap& map, const Pose2& T_map_base, double slack) const {
   const double needed = neededClearance(map) - slack;
   // In open space one look-up suffices for all points.
-  if (map.clearance(T_map_base.position()) >= reach_ + neededClearance(map)) return true;
+  if (isWideOpen(map, T_map_base.position())) return true;
   return std::all_of(points_.begin(), points_.end(),
                      [&](const Vec2& point) { return map.clearance(T_map_base * point) >= needed; });
 }
@@ -82,13 +82,15 @@ bool OutlineCheck::canTurn(const ClearanceMap& map, const Vec2& position, double
   return true;
 }
 
+bool OutlineCheck::isWideOpen(const ClearanceMap& map, const Vec2& position) const {
+  return map.clearance(position) >= reach_ + neededClearance(map);
+}
+
 bool OutlineCheck::canTurnRound(const ClearanceMap& map, const Vec2& position) const {
-  if (isTrivial()) return true;
-  const double needed = neededClearance(map), clearance = map.clearance(position);
-  if (clearance >= reach_ + needed) return true;
+  if (isTrivial() || isWideOpen(map, position)) return true;
   // Where the map tells no larger clearance, and the robot is larger, the rest of the circle is looked at.
-  const double known = map.farthestClearance();
-  if (clearance < known - kSaturation) return false;
+  const double needed = neededClearance(map), known = map.farthestClearance();
+  if (map.clearance(position) < known - kSaturation) return false;
   for (double radius = reach_; radius + needed > known; radius -= needed) {
     if (!isRingClear(map, position, radius, needed)) return false;
   }

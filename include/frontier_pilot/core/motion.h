@@ -69,6 +69,9 @@ class TurnCounter {
   double total_ = 0.0;
 };
 
+/// How far a robot gets that brakes from `speed` with `deceleration`. Works in [m] or [rad].
+inline double brakingDistance(double speed, double deceleration) { return 0.5 * speed * speed / deceleration; }
+
 /// The greatest speed from which a robot that begins to brake in `reaction` [s] with `deceleration` stops within
 /// `distance`: v * reaction + v^2 / (2 * deceleration) = distance. 0 if no distance is left. Works in [m] or [rad].
 inline double brakingSpeed(double distance, double deceleration, double reaction = 0.0) {

@@ -57,6 +57,8 @@ class OutlineCheck {
   static constexpr double kTurnStep = 0.02;  ///< that the farthest point moves between two checks of a turn [m]
 
   double neededClearance(const ClearanceMap& map) const;
+  /// Whether the map tells of so much clearance there that the robot fits in every direction.
+  bool isWideOpen(const ClearanceMap& map, const Vec2& position) const;
 
   std::vector<Vec2> points_;  ///< of the outline, in the base frame, those inside of the map's disc left out
   double reach_ = 0.0;        ///< of the farthest [m]

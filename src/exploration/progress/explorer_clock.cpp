@@ -6,8 +6,11 @@ namespace frontier_pilot::exploration {
 void Explorer::Impl::heedClock(Time now) {
   if (!last_update_) return;
   const Duration passed = now - *last_update_;
-  if (passed < Duration::zero()) forgetTime(now);
-  if (passed >= kLongestTick) skipTime(passed);
+  if (passed < Duration::zero()) {
+    forgetTime(now);
+  } else if (passed >= kLongestTick) {
+    skipTime(passed);
+  }
 }
 
 /// Times measured before the clock jumped back cannot be compared with those after it. What is under way starts over

@@ -137,9 +137,11 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::clear(const std::string& caller) {
   const bool was_stopped = arbiter_.stopped();
   arbiter::ArbiterAnswer answer = arbiter_.clear(clears_.arrival(), instantNow());
   publish(answer.publish);
-  if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
-  if (!arbiter_.stopped() && !around_.memory_problem.empty())
-    answer.message += "; would come back with the next start of this node: " + around_.memory_problem;
+  if (!arbiter_.stopped()) {
+    around_.memory_problem = memory_.forget();
+    if (!around_.memory_problem.empty())
+      answer.message += "; would come back with the next start of this node: " + around_.memory_problem;
+  }
   THROTTLED_INFO("set_emergency_stop false called by " << caller << ": " << answer.message);
   publishStopState();
   publishStatus(false);

@@ -66,7 +66,11 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.message = result.text;
   if (result.ok()) {
     restored_.reset();  // a map that was kept is not wanted any more
-    mapper_.map().isBlank() ? autosave_.forget() : autosave_.supersede();
+    if (parameters_.autosave_period == 0.0 || mapper_.map().isBlank()) {
+      autosave_.forget();  // nothing will replace the copy
+    } else {
+      autosave_.supersede();
+    }
     awaitAutosave();  // that of the map of before, which may be under way
     autosave();
     awaitAutosave();  // a mapper that dies after its answer has the map that was loaded

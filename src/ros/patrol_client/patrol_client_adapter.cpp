@@ -59,7 +59,7 @@ void PatrolClientAdapter::send() {
 
 std::optional<patrol::PatrolExit> PatrolClientAdapter::watch(int interrupts_so_far) {
   if (serverLost()) {
-    cancel();  // a server that only hangs would drive on when it wakes
+    if (client_.isServerConnected()) cancel();  // one that only hangs would drive on when it wakes
     complain("the patrol server is gone; the robot stops because its commands expire");
     return patrol::PatrolExit::kNoServer;
   }

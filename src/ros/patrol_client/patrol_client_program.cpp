@@ -85,10 +85,10 @@ int runPatrolClient(int argc, char** argv) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kTimeLook));
     const auto outcome = client.update(interrupts);
     if (!outcome) continue;
-    std::cout.flush();
+    if (!client.awaitsCancel()) return codeOf(*outcome);
     // An end in order takes this node from the master, and a server that wakes then drops the connection, unread.
-    if (client.awaitsCancel()) std::_Exit(codeOf(*outcome));
-    return codeOf(*outcome);
+    std::cout.flush();
+    std::_Exit(codeOf(*outcome));
   }
   return codeOf(patrol::PatrolExit::kNoServer);
 }

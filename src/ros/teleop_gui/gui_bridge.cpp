@@ -1,6 +1,8 @@
 #include "ros/teleop_gui/gui_bridge.h"
 
 #include <geometry_msgs/Twist.h>
+
+#include <chrono>
 #include <ctime>
 #include <utility>
 

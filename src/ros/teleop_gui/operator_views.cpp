@@ -121,6 +121,13 @@ std::string stateText(const ExplorerStatus& msg) {
   return isNew(msg) ? "Not started" : "Paused";
 }
 
+/// The reason, or what to do where the state has said the reason already.
+std::string reasonText(const ExplorerStatus& msg) {
+  if (isNew(msg)) return "Start lets the robot explore.";
+  const bool is_plainly_paused = msg.reason == ExplorerStatus::PAUSED && msg.reason_text == "paused";
+  return is_plainly_paused ? "Start lets it go on." : msg.reason_text;
+}
+
 std::string boundsText(const ExplorerStatus& msg) {
   const std::size_t clicked = msg.clicked_corners.points.size();
   if (clicked > 0) return std::to_string(clicked) + (clicked == 1 ? " corner clicked" : " corners clicked");
@@ -195,8 +202,7 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   const bool explores = msg.state != ExplorerStatus::IDLE && msg.state != ExplorerStatus::DONE;
   if (explores) view.phase_text = msg.phase_text;
   view.not_started = isNew(msg);
-  view.reason_text = view.not_started ? "Start lets the robot explore." : msg.reason_text;
-  if (view.state_text == "Paused" && view.reason_text == "paused") view.reason_text = "Start lets it go on.";
+  view.reason_text = reasonText(msg);
   view.frontiers_found = msg.frontiers_found;
   view.frontiers_selectable = msg.frontiers_selectable;
   view.frontiers_blacklisted = msg.frontiers_blacklisted;
