@@ -174,7 +174,8 @@ def read_world(path):
 
 def draw_starts(world, count, seed):
     """`count` robots (robot1, robot2, ...) with starts in a World: near each other, apart from walls, and with a way from one to
-    the next. The same seed gives the same."""
+    the next. The first one looks along the world's x axis, so that the map stands as the world does; the others look anywhere. The
+    same seed gives the same."""
     if not 1 <= count <= MOST_ROBOTS:
         raise StartsError('robots:=%d: from 1 to %d can be drawn' % (count, MOST_ROBOTS))
     generator = random.Random(seed)
@@ -182,8 +183,9 @@ def draw_starts(world, count, seed):
     for cell in near_cells(world, first_cell(world, generator)):
         point = world.centre(cell)
         if all(math.dist(point, (start['x'], start['y'])) >= APART for start in starts):
-            starts.append({'name': 'robot%d' % (len(starts) + 1), 'x': point[0], 'y': point[1],
-                           'yaw': round(generator.uniform(-math.pi, math.pi), 3)})
+            drawn = round(generator.uniform(-math.pi, math.pi), 3)
+            yaw = drawn if starts else 0.0
+            starts.append({'name': 'robot%d' % (len(starts) + 1), 'x': point[0], 'y': point[1], 'yaw': yaw})
         if len(starts) == count:
             return starts
     raise StartsError('robots:=%d: the world has room for %d that can reach each other' % (count, len(starts)))

@@ -76,17 +76,35 @@ def differing(start, end, tables, namespace='/'):
     """The settings of a run, from the parameters at its start and at its end. What many nodes share stands once."""
     found = {}
     of_start, of_end = inside(start, namespace), inside(end, namespace)
-    for node, values in of_start.items():
-        if not isinstance(values, dict) or node not in tables:
+    for node in dict.fromkeys([*of_start, *of_end]):
+        if node not in tables:
             continue
-        after = flat(of_end[node]) if isinstance(of_end.get(node), dict) else {}
-        for name, value in flat(values).items():
+        before, after = parameters_of(of_start, node), parameters_of(of_end, node)
+        for name in dict.fromkeys([*before, *after]):
             described = describe(tables, node, name)
-            changed = after[name] if name in after and after[name] != value else None
+            if name not in before and not described:
+                continue  # it is not known what held until somebody set it
+            value = before[name] if name in before else value_until_set(before, name, described)
+            changed = after[name] if name in after and not alike(after[name], value) else None
             if described and same(value, described.default) and changed is None:
                 continue
             found.setdefault((name, str(value), str(changed)), Setting([], name, value, described, changed)).nodes.append(node)
     return sorted(found.values(), key=lambda setting: (-len(setting.nodes), setting.nodes, setting.name))
+
+
+def parameters_of(nodes, node):
+    return flat(nodes[node]) if isinstance(nodes.get(node), dict) else {}
+
+
+def value_until_set(before, name, described):
+    """What held for a parameter that was not on the parameter server at the start of the run: the robot's own limit, or the
+    default."""
+    robots = 'robot/' + name
+    return before[robots] if robots in before else described.default.strip('"')
+
+
+def alike(value, other):
+    return value == other or same(value, str(other))
 
 
 def inside(parameters, namespace):

@@ -208,7 +208,7 @@ class Run:
     def _action(self, action, time, message):
         result = message.result
         text = getattr(result, 'result', None) or getattr(result, 'error_msg', '') or message.status.text or 'done'
-        self.actions.append((time, action, text))
+        self.actions.append((time, 'patrol' if action == 'turtlebot3' else action, text))  # the patrol server's action
 
     def status(self):
         """The Progress of the explorer's last status, with counts of the whole run; None if there is none. After the clock was set back

@@ -6,11 +6,22 @@ namespace frontier_pilot::arbiter {
 namespace {
 
 constexpr Duration kRateWindow = std::chrono::seconds(1);
+/// For how long a disabled source is said to ask for the wheels after it last asked to move: in a recovery, for
+/// instance, the navigator stands for moments.
+constexpr Duration kIgnoredFor = std::chrono::seconds(2);
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
+}
+
+std::string whyNobodyDrives(const ArbiterSnapshot& status) {
+  for (const SourceStatus& source : status.sources) {
+    if (source.ignored)
+      return source.name + " asks to move, but is disabled (set_" + source.name + "_enabled true): stopped";
+  }
+  return "nobody asks for the wheels: stopped";
 }
 
 std::string whoDrives(const ArbiterSnapshot& status) {
@@ -28,7 +39,7 @@ std::string whoDrives(const ArbiterSnapshot& status) {
     case ArbiterState::kIdle:
       break;
   }
-  return "nobody asks for the wheels: stopped";
+  return whyNobodyDrives(status);
 }
 
 }  // namespace
@@ -70,7 +81,7 @@ SourceState Arbiter::stateOf(const Source& source, const Decision& decision, Tim
   return claims(source, now) ? SourceState::kReady : SourceState::kIdle;
 }
 
-SourceStatus Arbiter::statusOf(const Source& source, const Decision& decision, Time now) const {
+SourceStatus Arbiter::statusOf(const Source& source, const Decision& decision, const Instant& now) const {
   const SourceParameters& settings = config(source);
   SourceStatus status;
   status.name = settings.name;
@@ -78,10 +89,11 @@ SourceStatus Arbiter::statusOf(const Source& source, const Decision& decision, T
   status.priority = settings.priority;
   status.enabled = source.enabled;
   status.required = settings.required;
-  status.state = stateOf(source, decision, now);
-  if (source.last_message) status.age = toSeconds(now - *source.last_message);
+  status.state = stateOf(source, decision, now.ros);
+  if (source.last_message) status.age = toSeconds(now.ros - *source.last_message);
   status.rate = source.rate;
   status.rejected = source.rejected;
+  status.ignored = !source.enabled && source.last_motion && now.steady - *source.last_motion <= kIgnoredFor;
   return status;
 }
 
@@ -96,7 +108,7 @@ ArbiterSnapshot Arbiter::status(const Instant& now) const {
   status.unreachable = unreachable_;
   status.command = last_.command;
   for (const Source& source : sources_) {
-    status.sources.push_back(statusOf(source, decision, now.ros));
+    status.sources.push_back(statusOf(source, decision, now));
     const bool missing = config(source).required && source.enabled && !alive(source, now.ros);
     if (missing) status.missing_sources.push_back(config(source).name);
   }

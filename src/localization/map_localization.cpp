@@ -25,7 +25,7 @@ const char* textOf(slam::MatchVerdict verdict) {
     case slam::MatchVerdict::kPoor:
     case slam::MatchVerdict::kKidnapped:
     case slam::MatchVerdict::kLost:
-      return "not localised: the scan fits nowhere on the map here, give a pose";
+      return "not localised: the scan fits nowhere on the map here: give a pose, or call localize";
     case slam::MatchVerdict::kAmbiguous:
       return "not localised: several places on the map here look alike, give a pose";
     default:

@@ -173,6 +173,21 @@ class ExplorerLimits(ExplorerCase):
         self.expect_done(Status.UNTIL_DISTANCE)
         self.assertTrue(self.is_at_start(), self.robot.position)
 
+    # [EXP-10]
+    def test_says_what_sends_the_robot_back_once_the_exploration_has_ended(self):
+        self.explore()
+        self.expect_done(Status.NO_REACHABLE_FRONTIER)
+        self.assertIn('exploration enabled already: nothing changed; it has ended (no reachable frontier left): frontier_explorer/reset '
+                      'begins it anew, and at the end of that the robot stays where it is',
+                      call('set_exploration_enabled', SetBool, True).message)
+        self.assertIn('frontier_explorer/reset begins it anew, and at the end of that the robot returns to its start',
+                      call('frontier_explorer/set_return_to_start', SetBool, True).message)
+        self.status.items.clear()
+        self.assertTrue(call('frontier_explorer/reset', Trigger).success)
+        self.expect_reason(Status.RETURNING_TO_START)
+        self.expect_done(Status.NO_REACHABLE_FRONTIER)
+        self.assertTrue(self.is_at_start(), self.robot.position)
+
     # [EXP-10] [FLT-2]
     def test_returns_to_where_it_began_also_when_it_dies_far_from_there(self):
         self.robot.held.set()

@@ -6,6 +6,7 @@ import time
 import unittest
 
 import rospy
+import rosservice
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from frontier_pilot.msg import ArbiterStatus, FleetStopStatus
@@ -118,6 +119,24 @@ class FleetStop(unittest.TestCase):
         self.clear('robot2')
         rospy.sleep(1.5)
         self.assertFalse(self.status['robot2'].last.emergency_stop, 'it is asked only until it has confirmed')
+
+    def test_a_stranger_that_has_given_a_robots_service_back_is_not_called_any_more(self):
+        """[MUL-4]"""
+        self.node.end()
+        asked = []
+        stranger = rospy.Service('/robot1/emergency_stop', Trigger, lambda _: TriggerResponse(not asked.append(1), 'a stranger'))
+        self.assertTrue(wait_for(lambda: rosservice.get_service_node('/robot1/emergency_stop') == rospy.get_name()))
+        self.fleet.items.clear()
+        self.node = self.start()
+        self.assertTrue(self.reaches(SERVICES), self.state())
+        rospy.sleep(2.0)
+        stranger.shutdown()  # it goes on serving those that are connected to it
+        self.assertTrue(wait_for(lambda: rosservice.get_service_node('/robot1/emergency_stop') == '/robot1/cmd_vel_arbiter', 10.0))
+        rospy.sleep(3.0)
+        self.clear('robot1')
+        self.assertTrue(self.stop()[0].success)
+        self.assertTrue(self.stopped('robot1'))
+        self.assertEqual(asked, [])
 
     def test_a_robot_that_is_not_listed_is_found_and_stopped(self):
         robot3 = Node('cmd_vel_arbiter', '__ns:=/robot3')

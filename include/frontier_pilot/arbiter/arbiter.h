@@ -111,7 +111,7 @@ class Arbiter {
   std::string refusalToClear(SteadyTime requested, const Instant& now) const;
   void measureRates(SteadyTime now);
   SourceState stateOf(const Source& source, const Decision& decision, Time now) const;
-  SourceStatus statusOf(const Source& source, const Decision& decision, Time now) const;
+  SourceStatus statusOf(const Source& source, const Decision& decision, const Instant& now) const;
 
   ArbiterParameters parameters_;
   std::vector<Source> sources_;     ///< highest priority first

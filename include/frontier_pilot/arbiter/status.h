@@ -42,6 +42,7 @@ struct SourceStatus {
   std::optional<double> age;   ///< of its last message [s], ROS time
   double rate = 0.0;           ///< messages per second of steady time, over the last second [Hz]
   std::uint64_t rejected = 0;  ///< messages refused so far
+  bool ignored = false;        ///< it asks to move, but is disabled
 };
 
 /// The arbiter's state, for operators.

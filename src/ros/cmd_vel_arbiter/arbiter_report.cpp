@@ -27,7 +27,7 @@ std::string stateInWords(const arbiter::SourceStatus& source, const arbiter::Arb
   switch (source.state) {
     case arbiter::SourceState::kNeverHeard:
       // It was heard, but before it was enabled, a stop was cleared or the clock jumped.
-      if (source.age) return "last command dropped: waiting for a new message";
+      if (source.age) return "waiting for a new command";
       return state + (has_publisher ? ": no message yet" : ": no publisher");
     case arbiter::SourceState::kStale:
       return state + ": no message within its timeout";

@@ -97,6 +97,10 @@ void FleetStopAdapter::takeMasterReport() {
     if (service.empty() || service == node_.resolveName(names::kFleetEmergencyStop)) continue;  // not this node itself
     if (addRobot(service)) known_.see(service, steadyNow());
   }
+  for (const std::string& service : regained_.take(seen->publishers, seen->providers)) {
+    for (const auto& line : lines_)
+      if (line->service() == service) line->connectAnew();
+  }
 }
 
 void FleetStopAdapter::forgetRobots() {

@@ -12,6 +12,7 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
 #include "ros/fleet_stop/known_robots.h"
+#include "ros/fleet_stop/regained_services.h"
 #include "ros/fleet_stop/stop_line.h"
 
 namespace frontier_pilot {
@@ -57,6 +58,7 @@ class FleetStopAdapter {
   FleetStopParameters parameters_;
   ros::NodeHandle node_;
   KnownRobots known_;
+  RegainedServices regained_;
   std::vector<std::unique_ptr<StopLine>> lines_;      ///< to each that is known
   std::vector<std::unique_ptr<StopLine>> forgotten_;  ///< whose threads have not ended yet
   ros::Publisher status_;

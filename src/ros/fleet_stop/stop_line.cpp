@@ -105,6 +105,7 @@ void StopLine::settleLate(std::uint64_t number, const StopAnswer& answer) {
 }
 
 void StopLine::connect() {
+  if (leads_elsewhere_.exchange(false)) disconnect();
   // A killed node's service stays at the master, and a client that connects to where it was counts as valid until the
   // refusal has come, in a race with roscpp for ever; so the service is asked first whether it is there.
   if (!isConnected() && ros::service::exists(node_.resolveName(service_), false)) {
@@ -136,8 +137,7 @@ StopAnswer StopLine::call(SteadyTime latest) {
       return {StopOutcome::kNoService, {}};
     }
     std_srvs::Trigger stop;
-    ros::ServiceClient client = client_;
-    if (client.call(stop)) {
+    if (ros::ServiceClient client = client_; client.call(stop)) {
       return {stop.response.success == 0 ? StopOutcome::kRefused : StopOutcome::kConfirmed, stop.response.message};
     }
     disconnect();

@@ -32,6 +32,8 @@ class StopLine {
 
   const std::string& service() const { return service_; }
   bool connected() const { return connected_; }
+  /// The service may be another node's than that to which the line leads.
+  void connectAnew() { leads_elsewhere_ = true; }
   /// Lets the thread end, without waiting for it: it has when `ended` is true.
   void end();
   bool ended() const { return ended_; }
@@ -58,6 +60,7 @@ class StopLine {
   std::string service_;
   CallbackGuard guard_;
   std::atomic<bool> connected_{false};
+  std::atomic<bool> leads_elsewhere_{false};
   std::atomic<bool> ended_{false};
   std::mutex mutex_;  ///< guards all that follow
   std::condition_variable wake_;

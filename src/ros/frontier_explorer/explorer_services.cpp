@@ -73,9 +73,17 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
       std::string(enabled_ ? "exploration enabled" : "exploration paused") +
       (before == enabled_ && status_.state == state_before && !waits() ? " already: nothing changed" : "") +
       (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") +
-      (awaitsArbiter() ? "; it waits until the arbiter says whether the robot was stopped meanwhile" : "") + problem +
-      fromWhen();
+      (awaitsArbiter() ? "; it waits until the arbiter says whether the robot was stopped meanwhile" : "") +
+      (enabled_ ? afterItsEnd() : "") + problem + fromWhen();
   return true;
+}
+
+/// What to do about an exploration that has ended: neither switch begins it anew.
+std::string FrontierExplorerAdapter::afterItsEnd() {
+  if (status_.state != exploration::ExplorerState::kDone || waits()) return {};
+  return std::string("; it has ended (") + toString(status_.reason) +
+         "): frontier_explorer/reset begins it anew, and at the end of that the robot " +
+         (explorer_.returnsToStart() ? "returns to its start" : "stays where it is");
 }
 
 /// A stop cancels the goal at once: the next tick may come only after the clear. After that the exploration does not go
@@ -116,7 +124,7 @@ bool FrontierExplorerAdapter::handleReturnToStart(std_srvs::SetBool::Request& re
   response.success = 1U;
   response.message =
       std::string(explorer_.returnsToStart() ? "returns to the start at the end" : "stays where the exploration ends") +
-      (before == explorer_.returnsToStart() ? " already: nothing changed" : "") + problem;
+      (before == explorer_.returnsToStart() ? " already: nothing changed" : "") + afterItsEnd() + problem;
   return true;
 }
 

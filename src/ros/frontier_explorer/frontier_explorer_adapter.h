@@ -78,6 +78,7 @@ class FrontierExplorerAdapter {
   bool waits();
   /// For the answer to a call whose effect the caller has to wait for; empty if it has taken effect.
   std::string fromWhen();
+  std::string afterItsEnd();
   void update(Time now);
   exploration::ExplorerInputs gather(Time now);
   void obeyOrder(Time now);

@@ -123,6 +123,7 @@ void MoveBaseServer::settle(const navigation::NavFinished& finished) {
     case navigation::NavResult::kCanceled:
       return handle.setCanceled({}, text);
     case navigation::NavResult::kAborted:
+      THROTTLED_WARN("the goal is given up: " << text);
       return handle.setAborted({}, text);
   }
 }

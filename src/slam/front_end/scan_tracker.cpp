@@ -63,7 +63,8 @@ const char* toString(MatchVerdict verdict) {
     case MatchVerdict::kAmbiguous:
       return "ambiguous";
     case MatchVerdict::kKidnapped:
-      return "not localised: what the scanner shows changed while the robot stood, as if it was carried; give a pose";
+      return "not localised: what the scanner shows changed while the robot stood, as if it was carried; give a pose, "
+             "or call localize";
     case MatchVerdict::kLost:
       return "lost, new submap begun";
   }

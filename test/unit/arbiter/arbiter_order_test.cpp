@@ -175,5 +175,18 @@ TEST_F(ArbiterTest, StatusSaysAgeAndRateOfEverySource) {
   EXPECT_EQ(summarize(arbiter.status(now)), "nav holds the robot still");
 }
 
+TEST_F(ArbiterTest, TheSummaryNamesASourceThatAsksToMoveAlthoughItIsDisabled) {
+  enable("nav", false);
+  send("nav", 0.0);
+  EXPECT_EQ(summarize(arbiter.status(now)), "nobody asks for the wheels: stopped") << "a zero is no motion";
+  send("nav", 0.1);
+  EXPECT_EQ(summarize(arbiter.status(now)), "nav asks to move, but is disabled (set_nav_enabled true): stopped");
+  wait(2.5);
+  EXPECT_EQ(summarize(arbiter.status(now)), "nobody asks for the wheels: stopped") << "it asks no longer";
+  send("nav", 0.1);
+  send("manual", 0.1);
+  EXPECT_EQ(summarize(arbiter.status(now)), "manual drives");
+}
+
 }  // namespace
 }  // namespace frontier_pilot

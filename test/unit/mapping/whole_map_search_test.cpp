@@ -139,7 +139,7 @@ TEST_F(LostMapper, SaysThatItNeedsAPose_MAP_5) {
   mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});  // where it is not
   drive(20);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
-  const char* expected = "not localised: the scan fits nowhere on the map here, give a pose";
+  const char* expected = "not localised: the scan fits nowhere on the map here: give a pose, or call localize";
   EXPECT_STREQ(toString(verdict), expected);
   const auto remark = mapper.remark(timeFromSeconds(seconds));
   ASSERT_TRUE(remark);

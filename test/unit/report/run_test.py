@@ -315,6 +315,18 @@ class Parameters(FolderCase):
         self.assertEqual(self.differing({'navigator': {'goal_tolerance': 0.2}}, {'navigator': {'goal_tolerance': 0.4}}),
                          [(['navigator'], 'goal_tolerance', 0.2, '0.2', 0.4)])
 
+    def test_a_parameter_that_was_first_set_during_the_run_is_there(self):
+        self.assertEqual(self.differing({'navigator': {'use_goal_yaw': True}}, {'navigator': {'use_goal_yaw': True, 'goal_tolerance': 0.4}}),
+                         [(['navigator'], 'goal_tolerance', '0.2', '0.2', 0.4), (['navigator'], 'use_goal_yaw', True, 'false', None)])
+        self.assertEqual(self.differing({'rviz': {}}, {'navigator': {'goal_tolerance': 0.4, 'unknown': 1}}),
+                         [(['navigator'], 'goal_tolerance', '0.2', '0.2', 0.4)])
+        self.assertEqual(self.differing({}, {'navigator': {'goal_tolerance': 0.2}}), [])
+
+    def test_a_limit_that_was_first_set_during_the_run_was_the_robots_before(self):
+        robot = {'robot': {'limits': {'max_linear': 0.26}}}
+        self.assertIn((['mapper'], 'limits/max_linear', 0.26, '0.22', 0.1),
+                      self.differing({'mapper': robot}, {'mapper': dict(robot, limits={'max_linear': 0.1})}))
+
     def test_each_item_of_a_list_has_its_own_default(self):
         table = {'sources[i]/name': parameters.Described('string', 'avoid, nav', '', ''),
                  'sources[i]/timeout': parameters.Described('double', '1', 's', '')}

@@ -77,13 +77,13 @@ TEST(OperatorViews, ASourceThatWantsNothingIsGreyAndOneNeverHeardSaysSo_GUI_2) {
   msg.sources[2].age = -1.0;
   msg.sources[3].state = ArbiterSource::NEVER_HEARD;  // since the stop was cleared
   msg.sources[3].age = 240.0;
-  msg.sources[3].state_text = "last command dropped: waiting for a new message";
+  msg.sources[3].state_text = "waiting for a new command";
   const teleop::ArbiterView view = toView(msg, 0.0);
   EXPECT_EQ(view.sources[0].severity, teleop::Severity::kIdle);
   EXPECT_EQ(view.sources[0].state_text, "alive, asks for nothing");
   EXPECT_EQ(view.sources[1].severity, teleop::Severity::kGood);
   EXPECT_EQ(view.sources[2].state_text, "no command received yet");
-  EXPECT_EQ(view.sources[3].state_text, "last command dropped: waiting for a new message");
+  EXPECT_EQ(view.sources[3].state_text, "waiting for a new command");
 }
 
 // [GUI-2]

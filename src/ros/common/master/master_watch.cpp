@@ -116,6 +116,7 @@ void MasterWatch::look() {
     publishers_ = state->publishers;
   }
   report.publishers = std::move(state->publishers);
+  report.providers = std::move(state->providers);
   report_.put(std::move(report));
 }
 

@@ -33,6 +33,7 @@ namespace frontier_pilot {
 /// What a look at the master has found out about other nodes.
 struct MasterReport {
   NodesByName publishers;                             ///< by topic, of all topics
+  NodesByName providers;                              ///< by service, of all services
   std::optional<std::vector<std::string>> listeners;  ///< the living subscribers of the topic of `watchListeners`
   std::map<std::string, std::string>
       rivals;  ///< by service or topic that belongs to this node alone: another living node that has it as well
