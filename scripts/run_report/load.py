@@ -2,6 +2,7 @@
 
 
 MOST_CORES = 1e4  # that a process can use
+PROGRAMS = ('/patrol_client', '/teleop_gui')  # people end these and start them again, as they like
 
 
 def is_time(value):
@@ -23,7 +24,8 @@ class Load:
             raise ValueError('they have times that cannot be')
         self.wall.append((time, message.wall_time, message.header.seq))
         for process in message.processes:
-            if self.pids.setdefault(process.node, process.pid) != process.pid:
+            ends_by_itself = process.node.endswith(PROGRAMS)
+            if self.pids.setdefault(process.node, process.pid) != process.pid and not ends_by_itself:
                 self._restarts.append((time, process.node))
             self.pids[process.node] = process.pid
             self.nodes.setdefault(process.node, []).append((time, process.cpu, process.memory))
@@ -34,7 +36,7 @@ class Load:
         return numbers != sorted(numbers)
 
     def restarts(self):
-        """(time [s], node) of those that went on as another process. None after the clock was set back, when the samples of before and
+        """(time [s], node) of those that went on as another process, programs that people start aside. None after the clock was set back, when the samples of before and
         after that lie between each other."""
         return [] if self.was_set_back() else self._restarts
 

@@ -105,6 +105,7 @@ void TrafficRule::decide(const TrafficInputs& inputs, Time now) {
   if (count < others_.size()) std::nth_element(others_.begin(), others_.begin() + count, others_.end(), is_nearer);
   for (std::size_t i = 0; i < count; ++i) relate(others_[i], inputs, now);
   order_ = orderOf(inputs, now);
+  order_.making_way.clear();  // an order that stays in force has those of the decision before
   for (const Other& other : others_) {
     if (other.relation == Relation::kPasses) order_.making_way.push_back({other.position, other.radius + kBlur});
   }

@@ -48,7 +48,7 @@ void FleetWindow::release() {
 }
 
 void FleetWindow::choose(const std::string& robot) {
-  if (released_ || robot == chosen_) return;
+  if (released_ || (robot == chosen_ && is_described_)) return;
   chosen_ = robot;
   widget_->stopBecause("another robot was chosen");
   fleet_link_.open(robot);
@@ -60,6 +60,7 @@ void FleetWindow::showRobot(teleop::OpenedRobot robot) {
   if (link_) fleet_link_.retire(std::move(link_));
   link_ = std::move(robot.link);
   shown_ = chosen_ = robot.name;
+  is_described_ = robot.is_described;
   widget_ = std::make_unique<PilotWidget>(robot.parameters);
   layout_->addWidget(widget_.get(), 1);
   controller_ = std::make_unique<PilotController>(*widget_, *link_, fromSeconds(robot.parameters.liveness_timeout));
@@ -72,6 +73,13 @@ void FleetWindow::showRobot(teleop::OpenedRobot robot) {
 /// Whether nobody is in the window's own namespace: then a fleet is shown beginning with its first robot.
 bool FleetWindow::ownRobotIsMissing() const {
   return chosen_.empty() && widget_->setPoint().isZero() && !link_->state().arbiter;
+}
+
+/// Whether the robot that is shown was opened before it ran, so that its map and its outline may be those of another
+/// one.
+bool FleetWindow::shouldOpenAgain() const {
+  return !is_described_ && reopened_ != shown_ && chosen_ == shown_ && widget_->setPoint().isZero() &&
+         link_->state().arbiter;
 }
 
 /// Meanwhile another robot may have been chosen.
@@ -91,6 +99,10 @@ void FleetWindow::refresh() {
   const teleop::FleetView fleet = fleet_link_.fleet();
   if (auto opened = fleet_link_.takeOpened()) receive(std::move(*opened));
   if (!fleet.robots.empty() && fleet.connected && ownRobotIsMissing()) choose(fleet.robots.front().name);
+  if (shouldOpenAgain()) {
+    reopened_ = shown_;
+    fleet_link_.open(shown_);
+  }
   card_->setFleet(fleet, shown_);
 }
 

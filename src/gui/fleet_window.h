@@ -44,12 +44,15 @@ class FleetWindow : public QWidget {
   void receive(teleop::OpenedRobot robot);
   void showRobot(teleop::OpenedRobot robot);
   bool ownRobotIsMissing() const;
+  bool shouldOpenAgain() const;
   void noteStop(const teleop::OperatorRequest& request);
   void stopChosen();
   void stopAll();
 
   teleop::FleetLink& fleet_link_;
   std::string shown_, chosen_;  ///< the chosen robot may not be open yet
+  std::string reopened_;        ///< was opened once more, because it had not said what robot it is
+  bool is_described_ = true;
   bool released_ = false;
   QVBoxLayout* layout_;
   FleetCard* card_;

@@ -53,7 +53,10 @@ void PilotWidget::connectKeys() {
   connect(keys_, &HeldKeys::released, this, [this](int key) { release(teleop::motionOf(*driveKeyOf(key))); });
   // Keys drive wherever in the widget the focus is, so they are filtered before the child with the focus gets them.
   qApp->installEventFilter(this);
-  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
+    // Qt moves the focus from a button that is disabled to the next one, which Enter would then press.
+    const bool was_disabled = before != nullptr && isAncestorOf(before) && !before->isEnabled();
+    if (was_disabled && now != nullptr && isAncestorOf(now)) return setFocus();
     if (now == nullptr || (now != this && !isAncestorOf(now)) || edits(now)) letGo();
   });
 }

@@ -15,6 +15,7 @@ struct OpenedRobot {
   std::string name;                    ///< empty: the robot in the window's own namespace
   TeleopParameters parameters;         ///< with the robot as it describes itself
   std::unique_ptr<OperatorLink> link;  ///< nothing: it could not be opened
+  bool is_described = true;  ///< false: it has not said yet what robot it is, and is taken for one like the window's
 };
 
 /// The operator's window's access to several robots, of which it shows one in full. No call waits for a robot or for

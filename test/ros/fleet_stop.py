@@ -210,10 +210,11 @@ class FleetStop(unittest.TestCase):
         stranger = rospy.Publisher('/fleet/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
         self.addCleanup(stranger.unregister)
         self.test_a_robot_that_is_not_listed_is_found_and_stopped()
-        rospy.set_param('/refused/robots', [{'name': 'fleet'}])
-        code, said = Node('fleet_stop', '__name:=refused').finish(20.0)
-        self.assertEqual(code, 2)
-        self.assertIn("robots: 'fleet' cannot be a robot's name: fleet/emergency_stop stops all robots", said)
+        for name in ('fleet', '/fleet'):
+            rospy.set_param('/refused/robots', [{'name': name}])
+            code, said = Node('fleet_stop', '__name:=refused').finish(20.0)
+            self.assertEqual(code, 2)
+            self.assertIn("robots: '%s' cannot be a robot's name: fleet/emergency_stop stops all robots" % name, said)
 
     def test_every_arbiter_says_when_the_stop_for_all_is_gone_or_hangs(self):
         for number in (signal.SIGKILL, signal.SIGSTOP):

@@ -17,7 +17,7 @@
 
 #include "hanging_server.h"
 #include "ros/common/clock.h"
-#include "ros/common/publish_flush.h"
+#include "ros/common/messages/stop_words.h"
 #include "wait_for.h"
 
 namespace frontier_pilot {
@@ -251,6 +251,28 @@ TEST(ServiceCallerOnTheWire, AStopWhoseZeroMayNotHaveBeenSentYetIsAWarning_ARB_7
   EXPECT_TRUE(isLogged(teleop::Severity::kWarning));
   sent = true;
   EXPECT_TRUE(isLogged(teleop::Severity::kGood));
+}
+
+// [ARB-12] [GUI-2] Nothing is latched where another node has taken the service.
+TEST(ServiceCallerOnTheWire, AStopThatNoArbiterHasSignedIsAWarning_ARB_12_GUI_2) {
+  std::string said = "stopped";
+  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> handle =
+      [&said](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+        response.message = said;
+        return response.success = 1;
+      };
+  const ros::ServiceServer server = ros::NodeHandle().advertiseService("a_strange_stop", handle);
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  caller.insist("a_strange_stop", kPatience, ServiceCaller::Signature::kOfArbiter);
+  EXPECT_TRUE(waitFor([&] {
+    return lines.have(
+        "a_strange_stop: stopped; the answer of a_strange_stop is not signed by an arbiter: make sure that the robot "
+        "stands");
+  }));
+  said = "stopped (answered by /cmd_vel_arbiter)";
+  caller.insist("a_strange_stop", kPatience, ServiceCaller::Signature::kOfArbiter);
+  EXPECT_TRUE(waitFor([&] { return lines.have("a_strange_stop: stopped (answered by /cmd_vel_arbiter)\n"); }));
 }
 
 }  // namespace

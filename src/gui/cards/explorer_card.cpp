@@ -56,10 +56,10 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   line->addWidget(state_, 1);
   content()->addLayout(line);
   content()->addWidget(reason_);
+  content()->addLayout(makeButtons());  // above what a window of little height cuts off
   content()->addLayout(makeFigures());
   content()->addWidget(goals_);
   content()->addLayout(makeLimits());
-  content()->addLayout(makeButtons());
 }
 
 QLayout* ExplorerCard::makeButtons() {
@@ -72,7 +72,7 @@ QLayout* ExplorerCard::makeButtons() {
   return buttons;
 }
 
-/// What bounds and ends the exploration, a line for each, so that the buttons below keep their place.
+/// What bounds and ends the exploration, a line for each.
 QLayout* ExplorerCard::makeLimits() {
   bounds_->setObjectName("explorer_bounds");
   inspect_->setObjectName("explorer_inspect");

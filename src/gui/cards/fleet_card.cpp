@@ -35,6 +35,7 @@ FleetCard::FleetCard(QWidget* parent)
   body->setLayout(grid_);
   scroll_->setObjectName("fleetScroll");
   scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);  // whoever clicks at a robot's text still stops the robot by a key
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setWidget(body);

@@ -6,6 +6,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/common/messages/stop_words.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
 
@@ -115,7 +116,7 @@ bool CmdVelArbiterAdapter::handleStop(TriggerCall& call) {
 }
 
 arbiter::ArbiterAnswer CmdVelArbiterAdapter::signedBy(arbiter::ArbiterAnswer answer) const {
-  answer.message += " (answered by " + around_.own_name + ")";
+  answer.message += " " + signatureOf(around_.own_name);
   return answer;
 }
 

@@ -14,8 +14,6 @@ namespace {
 /// written.
 constexpr std::uint64_t kRounds = 3;
 
-constexpr const char* kMayBeUnsent = "the zero velocity may not have been sent yet";
-
 }  // namespace
 
 PublishFlush::PublishFlush() {
@@ -52,11 +50,5 @@ void flushLastWords() {
   constexpr Duration kPatience = std::chrono::milliseconds(500);
   if (ros::ok()) PublishFlush().wait(kPatience);
 }
-
-std::string answerOfStop(const std::string& said, bool sent) {
-  return sent ? said : said + ", but " + kMayBeUnsent + ": make sure that the robot stands";
-}
-
-bool mayBeUnsent(const std::string& answer) { return answer.find(kMayBeUnsent) != std::string::npos; }
 
 }  // namespace frontier_pilot

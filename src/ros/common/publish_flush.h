@@ -39,10 +39,4 @@ class PublishFlush {
 /// enough on a busy machine. After a shutdown of ROS there are no sockets.
 void flushLastWords();
 
-/// The answer to a stop that said `said`, whose zero was written to the sockets in time if `sent`. The stop holds in
-/// either case, so that it is a success, but where the zero was not written the base may still drive. [ARB-7]
-std::string answerOfStop(const std::string& said, bool sent);
-/// Whether a stop was answered with that reserve.
-bool mayBeUnsent(const std::string& answer);
-
 }  // namespace frontier_pilot

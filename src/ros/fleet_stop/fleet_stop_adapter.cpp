@@ -29,9 +29,6 @@ void FleetStopParameters::check(Problems& problems) const {
     const bool is_absolute = robot.name.rfind('/', 0) == 0;
     if (!isRobotName(robot.name.substr(is_absolute ? 1 : 0)))
       problems.push_back("robots: '" + robot.name + "' is no name of a namespace");
-    if (names::ofRobot(robot.name, names::kEmergencyStop) == names::kFleetEmergencyStop)
-      problems.push_back("robots: '" + robot.name + "' cannot be a robot's name: " + names::kFleetEmergencyStop +
-                         " stops all robots");
   }
 }
 
@@ -43,6 +40,9 @@ FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       connections_(node) {
   for (const fleet::FleetRobot& robot : parameters_.robots) {
     const std::string service = node.resolveName(names::ofRobot(robot.name, names::kEmergencyStop));
+    if (service == node.resolveName(names::kFleetEmergencyStop))
+      throw ConfigurationError(private_node.getNamespace(), {"robots: '" + robot.name + "' cannot be a robot's name: " +
+                                                             names::kFleetEmergencyStop + " stops all robots"});
     known_.list(service);
     addRobot(service);
   }

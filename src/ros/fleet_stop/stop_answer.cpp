@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ros/common/messages/stop_words.h"
 #include "ros/common/names.h"
-#include "ros/common/publish_flush.h"
 
 namespace frontier_pilot {
 namespace {
@@ -21,9 +21,6 @@ std::string reasonOf(const StopAnswer& answer) {
   }
   return "?";
 }
-
-/// Without that it may be another node that has taken the service, and nothing is latched. [ARB-12]
-bool isSigned(const std::string& text) { return text.find("(answered by ") != std::string::npos; }
 
 }  // namespace
 
@@ -56,7 +53,7 @@ FleetAnswer summarize(const std::vector<RobotAnswer>& answers) {
     } else if (mayBeUnsent(robot.answer.text)) {
       answer.message += "; " + name + ": " + robot.answer.text;
     } else if (!isSigned(robot.answer.text)) {
-      answer.message += "; the answer of " + name + " is not signed by an arbiter: make sure that the robot stands";
+      answer.message += "; " + unsignedAnswerOf(name);
     }
   }
   return answer;

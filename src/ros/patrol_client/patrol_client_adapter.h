@@ -23,8 +23,8 @@ class PatrolClientAdapter {
   /// outcome as soon as there is one. To be called often, between callbacks.
   std::optional<patrol::PatrolExit> update(int interrupts);
 
-  /// Whether a cancel was sent that the server has not answered.
-  bool awaitsCancel() const { return phase_ == Phase::kCanceling && !outcome_; }
+  /// Whether a cancel was sent that the server has not answered, and may answer yet.
+  bool awaitsCancel() { return phase_ == Phase::kCanceling && !outcome_ && client_.isServerConnected(); }
 
   /// Prints a line on stderr that begins with the program's name.
   static void complain(const std::string& text);

@@ -148,8 +148,9 @@ teleop::FleetView FleetBridge::fleet() {
 }
 
 /// A robot is described by the parameters of its navigator. A robot without any is taken for one like the window's own.
-teleop::TeleopParameters FleetBridge::parametersOf(const std::string& robot) {
-  teleop::TeleopParameters parameters = parameters_;
+void FleetBridge::describe(teleop::OpenedRobot& opened) const {
+  const std::string& robot = opened.name;
+  teleop::TeleopParameters& parameters = opened.parameters = parameters_;
   const std::string frame = RobotModel().base_frame;
   parameters.robot.base_frame = robot == kRoot ? frame : names::ofRobot(robot, frame);
   const ParameterMap all = readParameters(ros::NodeHandle(absolute(robot, names::kNavigatorNode)));
@@ -158,9 +159,10 @@ teleop::TeleopParameters FleetBridge::parametersOf(const std::string& robot) {
     const auto found = all.find(group);
     if (found != all.end()) known.insert(*found);
   }
+  opened.is_described = !all.empty();
   if (all.empty()) {
     THROTTLED_WARN(robot << " has no navigator: it is taken for a robot like the one of this window's parameters");
-    return parameters;
+    return;
   }
   DescribedRobot described;
   described.robot.base_frame = parameters.robot.base_frame;
@@ -168,11 +170,13 @@ teleop::TeleopParameters FleetBridge::parametersOf(const std::string& robot) {
   for (const std::string& problem : problems) THROTTLED_WARN("the navigator of " << robot << ": " << problem);
   parameters.robot = described.robot;
   parameters.robot.base_frame = described.robot.baseFrameOr(described.base_frame);
-  return parameters;
 }
 
 teleop::OpenedRobot FleetBridge::openOwn() {
-  return {"", parameters_, std::make_unique<GuiBridge>(own_node_, parameters_, GuiBridge::Manual::kAlways, running_)};
+  teleop::OpenedRobot own;
+  own.parameters = parameters_;
+  own.link = std::make_unique<GuiBridge>(own_node_, parameters_, GuiBridge::Manual::kAlways, running_);
+  return own;
 }
 
 void FleetBridge::open(const std::string& robot) {
@@ -180,7 +184,7 @@ void FleetBridge::open(const std::string& robot) {
     teleop::OpenedRobot opened;
     opened.name = robot;
     connections_.guard().run("opening " + robot, [&] {
-      opened.parameters = parametersOf(robot);
+      describe(opened);
       opened.link = std::make_unique<GuiBridge>(nodeOf(robot), opened.parameters, GuiBridge::Manual::kAlways, running_);
     });
     return opened;
@@ -210,7 +214,8 @@ void FleetBridge::showAnswer(bool success, const std::string& text) {
 }
 
 void FleetBridge::stop(const std::string& robot) {
-  robot_stop_caller_.insist(absolute(robot, names::kEmergencyStop), kRobotPatience);
+  robot_stop_caller_.insist(absolute(robot, names::kEmergencyStop), kRobotPatience,
+                            ServiceCaller::Signature::kOfArbiter);
 }
 
 void FleetBridge::stopAll() {

@@ -57,7 +57,7 @@ class FleetBridge : public teleop::FleetLink {
   template <class Msg>
   void keep(const std::string& name, const std::string& topic, Latest<Msg> Robot::*latest);
   teleop::RobotView viewOf(const std::string& name, bool reached, SteadyTime now) const;
-  teleop::TeleopParameters parametersOf(const std::string& robot);
+  void describe(teleop::OpenedRobot& opened) const;
   void endRetired(SteadyTime now);
   void showAnswer(bool success, const std::string& text);
 

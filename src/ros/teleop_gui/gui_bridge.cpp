@@ -181,7 +181,7 @@ void GuiBridge::followWaypoints(const std::vector<Pose2>& poses) {
 }
 
 void GuiBridge::dropWhatWaits(const std::string& why) {
-  for (ServiceCaller* caller : {&caller_, &arbiter_caller_}) caller->dropWhatWaits(why);
+  for (ServiceCaller* caller : {&caller_, &arbiter_caller_, &map_caller_}) caller->dropWhatWaits(why);
 }
 
 void GuiBridge::request(const teleop::OperatorRequest& request) {
@@ -191,7 +191,8 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
   switch (request.kind) {
     case Kind::kEmergencyStop:
       dropWhatWaits("the emergency stop was pressed after it");
-      return stop_caller_.insist(names::kEmergencyStop, std::chrono::milliseconds(1500));
+      return stop_caller_.insist(names::kEmergencyStop, std::chrono::milliseconds(1500),
+                                 ServiceCaller::Signature::kOfArbiter);
     case Kind::kClearEmergencyStop:
       stop_caller_.withdraw();
       return arbiter_caller_.set(names::kSetEmergencyStop, false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dynamic_reconfigure/Config.h>
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
@@ -16,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/avoid/parameters.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
@@ -73,6 +75,7 @@ class GuiBridge : public teleop::OperatorLink {
   void dropWhatWaits(const std::string& why);
   void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);
+  void onAvoiderTuned(const dynamic_reconfigure::Config& msg);
   /// What the publisher of the manual velocity needs. The master is asked for it, which may hang, so that no lock must
   /// be held meanwhile: the window's thread would wait, too.
   enum class TopicNeed { kNone, kOpen, kClose };
@@ -104,6 +107,7 @@ class GuiBridge : public teleop::OperatorLink {
   teleop::OperatorAnswer map_answer_;
   Latest<Twist2> command_;
   Latest<LaserScan2> scan_;
+  avoid::AvoiderParameters avoider_parameters_;
   teleop::AvoiderSectors sectors_;
 
   Rejections nameless_{"switch of a source"};  ///< this and the next are used by the topics' thread alone

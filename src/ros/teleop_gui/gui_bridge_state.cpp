@@ -32,6 +32,8 @@ void GuiBridge::subscribe() {
   connections_.subscribe<AvoiderStatus>(names::kAvoiderStatus, 1, [=](const AvoiderStatus& msg) {
     if (isShown(msg)) keep(avoider_, msg);
   });
+  connections_.subscribe<dynamic_reconfigure::Config>(names::kAvoiderUpdates, 1,
+                                                      [this](const auto& msg) { onAvoiderTuned(msg); });
   connections_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1, [=](const ExplorerStatus& msg) {
     if (isShown(msg)) keep(explorer_, msg);
   });
@@ -123,8 +125,15 @@ void GuiBridge::onServiceUp(const std::string& service) {
     const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
     loadParameters(map, parameters);  // the avoider itself reports errors in them
     const std::lock_guard<std::mutex> lock(mutex_);
-    sectors_ = toSectors(parameters);
+    avoider_parameters_ = parameters;
+    sectors_ = toSectors(avoider_parameters_);
   });
+}
+
+void GuiBridge::onAvoiderTuned(const dynamic_reconfigure::Config& msg) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  avoider_parameters_ = tuned(avoider_parameters_, msg);
+  sectors_ = toSectors(avoider_parameters_);
 }
 
 bool GuiBridge::manualOn(SteadyTime now) const {

@@ -239,6 +239,16 @@ teleop::NavigationView toView(const NavigatorProgress& msg, double status_age) {
   return view;
 }
 
+avoid::AvoiderParameters tuned(const avoid::AvoiderParameters& before, const dynamic_reconfigure::Config& msg) {
+  ParameterMap changes;
+  for (const dynamic_reconfigure::DoubleParameter& value : msg.doubles) {
+    for (const char* distance : {"stop_distance", "clear_distance", "rear_stop_distance"})
+      if (value.name == distance) changes[distance] = {value.value};
+  }
+  avoid::AvoiderParameters after = before;
+  return loadParameters(changes, after).empty() ? after : before;
+}
+
 teleop::AvoiderSectors toSectors(const avoid::AvoiderParameters& parameters) {
   const avoid::AvoiderDistances distances(parameters);
   return {toSectorView(parameters.front_left, distances.stop, distances.clear),

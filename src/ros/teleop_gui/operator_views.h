@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dynamic_reconfigure/Config.h>
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
@@ -22,6 +23,9 @@ teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age);
 teleop::AvoiderView toView(const AvoiderStatus& msg, double status_age);
 teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age);
 teleop::NavigationView toView(const NavigatorProgress& msg, double status_age);
+/// The avoider's parameters with the distances that it has told on `parameter_updates`; those of before if the message
+/// holds what they cannot be.
+avoid::AvoiderParameters tuned(const avoid::AvoiderParameters& before, const dynamic_reconfigure::Config& msg);
 teleop::AvoiderSectors toSectors(const avoid::AvoiderParameters& parameters);
 
 /// Fills `view` from the latest message, if there is one.

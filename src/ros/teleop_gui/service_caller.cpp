@@ -48,17 +48,18 @@ void ServiceCaller::set(const std::string& service, bool value, Late late) {
   post({service, Call::Type::kSetBool, late, value});
 }
 void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, Late::kDropped}); }
-void ServiceCaller::insist(const std::string& service, Duration patience) {
+void ServiceCaller::insist(const std::string& service, Duration patience, Signature expected) {
   Call call{service, Call::Type::kTrigger, Late::kDone};
   call.insists = true;
   call.patience = patience;
+  call.expected = expected;
   post(call);
 }
 void ServiceCaller::saveMap(const std::string& service, const std::string& path) {
   post({service, Call::Type::kSaveMap, Late::kDone, false, path});
 }
 void ServiceCaller::loadMap(const std::string& service, const std::string& path) {
-  post({service, Call::Type::kLoadMap, Late::kDone, false, path});
+  post({service, Call::Type::kLoadMap, Late::kDropped, false, path});
 }
 
 void ServiceCaller::withdraw() {
@@ -197,7 +198,9 @@ void ServiceCaller::lookAfter(SteadyTime now) {
 
 void ServiceCaller::giveUpASilentStop(SteadyTime now) {
   const bool insists = under_way_ && under_way_->insists;
-  if (!insists || !asking_since_ || now - *asking_since_ < patience_) return;
+  if (!insists || !asking_since_) return;
+  const Duration left = under_way_->asked_at + kInsists - *asking_since_;
+  if (now - *asking_since_ < std::min(patience_, std::max(left, under_way_->patience))) return;
   patience_ *= 2;
   gave_up_ = true;
   asking_since_.reset();

@@ -46,6 +46,8 @@ class ServiceCaller {
   /// What becomes of a call that cannot be made at once, because another one waits for its answer: it is right however
   /// late it is, as what ends a motion, or it is dropped after two seconds, with a word to the operator.
   enum class Late { kDone, kDropped };
+  /// What the answer to a stop has to have: that of an arbiter is signed by it.
+  enum class Signature { kNone, kOfArbiter };
 
   /// Calls a std_srvs/SetBool. A call of the same service that is still queued is replaced, as with all that follow,
   /// and the operator is told if it asked for something else. While a call with the same value waits for its answer,
@@ -62,14 +64,15 @@ class ServiceCaller {
   /// up after `patience`, and after twice as long each time that follows, and another one is made: after an outage of
   /// the network the old one may hang for minutes. A service that answers later than that is called again.
   /// While the master does not answer, or has no such service, the connection that was made before is used.
-  void insist(const std::string& service, Duration patience);
+  /// A success that lacks the `expected` signature is logged as a doubt. [ARB-12]
+  void insist(const std::string& service, Duration patience, Signature expected = Signature::kNone);
   void withdraw();
   /// Connects to a service that may have to be insisted on, unless that has been done, so that the call needs no
   /// master. Tries once a second at most, and only while it is `seen` at the master. To be called periodically.
   void getReady(const std::string& service, bool seen);
   /// Whether there is such a connection. Its other end may have been unreachable for minutes without a sign of it here.
   bool isReady(const std::string& service);
-  /// Calls the mapper's SaveMap or LoadMap with a path.
+  /// Calls the mapper's SaveMap, which is right however late it is, or LoadMap, which is not, with a path.
   void saveMap(const std::string& service, const std::string& path);
   void loadMap(const std::string& service, const std::string& path);
   /// Logs, once for each call, that it has been without an answer for too long, and gives up the connections of a stop
@@ -86,11 +89,13 @@ class ServiceCaller {
     std::string path{};  ///< of a map
     bool insists = false;
     Duration patience{};  ///< of a call that insists, for an answer on its first connection
+    Signature expected = Signature::kNone;
     SteadyTime asked_at{};
 
     /// For the operator, with all that it asks for.
     std::string text() const;
   };
+  static constexpr Duration kInsists = std::chrono::seconds(10);
   struct Answer {
     bool success = false;
     std::string message;

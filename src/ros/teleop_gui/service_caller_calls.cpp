@@ -6,21 +6,21 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/master/xml_rpc.h"
-#include "ros/common/publish_flush.h"
+#include "ros/common/messages/stop_words.h"
+#include "ros/common/names.h"
 #include "ros/teleop_gui/service_caller.h"
 
 namespace frontier_pilot {
 namespace {
 
 constexpr Duration kMostWait = std::chrono::seconds(2);  // after that a call that waits is no more what is wanted
-constexpr Duration kInsists = std::chrono::seconds(10);
 constexpr auto kBetweenCalls = std::chrono::milliseconds(200);
 
 }  // namespace
 
 teleop::Severity severityOfAnswer(bool success, const std::string& said) {
   if (!success) return teleop::Severity::kError;
-  return mayBeUnsent(said) ? teleop::Severity::kWarning : teleop::Severity::kGood;
+  return leavesDoubt(said) ? teleop::Severity::kWarning : teleop::Severity::kGood;
 }
 
 bool ServiceCaller::begin(const ros::ServiceClient& client) {
@@ -115,9 +115,8 @@ std::optional<ServiceCaller::Answer> ServiceCaller::ask(const Call& call) {
 }
 
 std::optional<ServiceCaller::Answer> ServiceCaller::askAgain(const Call& call) {
-  const SteadyTime end = steadyNow() + kInsists;
   std::optional<Answer> answer;
-  while (!answer && steadyNow() < end) {
+  while (!answer && steadyNow() - call.asked_at < kInsists) {
     {
       std::unique_lock<std::mutex> lock(mutex_);
       if (wake_.wait_for(lock, kBetweenCalls, [this] { return stopping_ || withdrawn_; })) return std::nullopt;
@@ -136,6 +135,9 @@ void ServiceCaller::perform(const Call& call) {
   if (isEnding()) return;
   if (const std::string why_not = whyNotDone(); !why_not.empty()) return sayNotDone(call, why_not);
   const std::string none = whyNone();
+  const bool is_success = answer && answer->success;
+  if (is_success && call.expected == Signature::kOfArbiter && !isSigned(answer->message))
+    answer->message += (answer->message.empty() ? "" : "; ") + unsignedAnswerOf(call.service);
   if (answered_) answered_(call.service, answer && answer->success, answer ? answer->message : none);
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
   const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");

@@ -1,5 +1,6 @@
 #include "ros/common/help/usages.h"
 
+#include <dynamic_reconfigure/Config.h>
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
@@ -40,6 +41,7 @@ NodeUsage teleopGuiUsage() {
                  port<ArbiterStatus>(names::kArbiterStatus),
                  port<std_msgs::Bool>(names::kEmergencyStopState),
                  port<AvoiderStatus>(names::kAvoiderStatus),
+                 port<dynamic_reconfigure::Config>(names::kAvoiderUpdates),
                  port<ExplorerStatus>(names::kExplorerStatus),
                  port<std_msgs::Bool>(names::kStalled),
                  port<std_msgs::Bool>(names::kLocalized),

@@ -16,6 +16,18 @@ TEST_F(ExplorerCard, EnterAfterStartPausesAndDoesNotReset) {
   EXPECT_TRUE(find("explore_pause")->hasFocus());
 }
 
+// [GUI-2] Whoever presses Enter twice asks once.
+TEST_F(ExplorerCard, EnterAfterAButtonThatIsDisabledPressesNoOtherOne_GUI_2) {
+  find("clear_bounds")->setFocus();
+  QTest::keyClick(find("clear_bounds"), Qt::Key_Return);
+  ASSERT_EQ(requests_.size(), 1U);
+  state_.explorer->bounded = false;
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(requests_.size(), 1U);
+}
+
 // [GUI-2] [EXP-10]
 TEST_F(ExplorerCard, BoundsAreShownAndCleared) {
   EXPECT_EQ(find("explorer_bounds")->toolTip().isEmpty() ? text("explorer_bounds") : find("explorer_bounds")->toolTip(),

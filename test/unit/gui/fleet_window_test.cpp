@@ -42,7 +42,7 @@ class RecordingFleet : public teleop::FleetLink {
     if (!opens || opened_.empty()) return std::nullopt;
     const std::string name = std::exchange(opened_, {});
     if (broken) return teleop::OpenedRobot{name, {}, nullptr};
-    return teleop::OpenedRobot{name, {}, std::make_unique<Forwarding>(links[name])};
+    return teleop::OpenedRobot{name, {}, std::make_unique<Forwarding>(links[name]), described};
   }
   void retire(std::unique_ptr<teleop::OperatorLink> link) override { retired.push_back(std::move(link)); }
   void stopAll() override { ++stops; }
@@ -52,7 +52,7 @@ class RecordingFleet : public teleop::FleetLink {
   std::map<std::string, test::RecordingLink> links;
   std::vector<std::string> asked, stopped;
   std::vector<std::unique_ptr<teleop::OperatorLink>> retired;
-  bool opens = true, broken = false;
+  bool opens = true, broken = false, described = true;
   int stops = 0;
 
  private:
@@ -133,6 +133,20 @@ TEST_F(FleetWindowTest, AnotherRobotIsChosenByAClickAndTheFirstOneIsLetGo_GUI_1)
   EXPECT_FALSE(button("robot_robot1")->isChecked());
 }
 
+// [GUI-1]
+TEST_F(FleetWindowTest, SpaceStopsTheRobotAfterAClickAnywhereInTheListOfRobots_GUI_1) {
+  openOnRobots();
+  QApplication::setActiveWindow(window_.get());
+  for (const char* where : {"robot_state_robot2", "robot_robot1", "fleetBody", "fleetScroll"}) {
+    click("Go");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !fleet_.links["robot1"].beats.back().isZero(); })) << where;
+    click(where);
+    ASSERT_NE(QApplication::focusWidget(), nullptr) << where;
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return fleet_.links["robot1"].beats.back().isZero(); })) << where;
+  }
+}
+
 // [GUI-1] [MUL-4] whoever presses it just after the click on a name means the robot that was chosen
 TEST_F(FleetWindowTest, AStopThatIsPressedBeforeTheChosenRobotIsOpenStopsBoth_GUI_1) {
   openOnRobots();
@@ -148,6 +162,21 @@ TEST_F(FleetWindowTest, AStopThatIsPressedBeforeTheChosenRobotIsOpenStopsBoth_GU
   click("emergency_stop");
   EXPECT_EQ(fleet_.stopped.size(), 2U) << "it has a link of its own now";
   EXPECT_EQ(fleet_.links["robot2"].requests.size(), 1U);
+}
+
+// [GUI-2] [MUL-1] a window that is opened before the robot knows neither its map nor its outline
+TEST_F(FleetWindowTest, ARobotThatWasOpenedBeforeItRanIsOpenedAgainWhenItRuns_GUI_2_MUL_1) {
+  fleet_.described = false;
+  fleet_.links["robot1"].shown.arbiter.reset();
+  openOnRobots();
+  EXPECT_FALSE(QTest::qWaitFor([this] { return fleet_.asked.size() > 1; }, 500)) << "it does not run yet";
+  fleet_.links["robot1"].shown.arbiter.emplace();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fleet_.asked.size() == 2; }));
+  EXPECT_FALSE(QTest::qWaitFor([this] { return fleet_.asked.size() > 2; }, 500)) << "once, if it still says nothing";
+  fleet_.described = true;
+  click("robot_robot1");
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fleet_.asked.size() == 3; })) << "a click asks for it";
+  EXPECT_FALSE(QTest::qWaitFor([this] { return fleet_.asked.size() > 3; }, 500));
 }
 
 // [GUI-3] until the next robot is there, the window goes on with the one that it shows

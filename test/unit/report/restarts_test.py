@@ -79,6 +79,13 @@ class ANodeThatDied(FolderCase):
             load.take(time, ProcessLoads(wall_time=1.7e9 + time, processes=[ProcessLoad('/mapper', pid, 0.1, 5)]))
         self.assertEqual(load.restarts(), [(3.0, '/mapper')])
 
+    def test_is_not_one_that_people_start_once_more(self):
+        load = Load()
+        for time, pid in ((1.0, 7), (600.0, 9)):
+            processes = [ProcessLoad(name, pid, 0.1, 5) for name in ('/patrol_client', '/robot1/teleop_gui', '/robot1/mapper')]
+            load.take(time, ProcessLoads(wall_time=1.7e9 + time, processes=processes))
+        self.assertEqual(load.restarts(), [(600.0, '/robot1/mapper')])
+
     def test_is_not_told_from_one_whose_samples_lie_between_those_of_before_because_the_clock_was_set_back(self):
         load = Load()
         for number, pid in ((1, 7), (30, 9), (2, 7), (31, 9)):  # as a bag gives them, by time

@@ -102,5 +102,23 @@ TEST(OperatorViews, ANavigationThatIsHinderedIsAWarningAndWithoutAPathSaysNoDist
   EXPECT_EQ(toView(msg, 0.0).severity, teleop::Severity::kActive);
 }
 
+// [GUI-2]
+TEST(OperatorViews, TheSectorsHaveTheDistancesThatTheAvoiderWasTunedTo_GUI_2) {
+  dynamic_reconfigure::Config msg;
+  msg.doubles.resize(3);
+  msg.doubles[0].name = "stop_distance";
+  msg.doubles[0].value = 0.7;
+  msg.doubles[1].name = "clear_distance";
+  msg.doubles[1].value = 0.9;
+  msg.doubles[2].name = "turn_speed";
+  msg.doubles[2].value = 9.0;
+  const avoid::AvoiderParameters parameters = tuned({}, msg);
+  EXPECT_EQ(parameters.stop_distance, 0.7);
+  EXPECT_EQ(parameters.clear_distance, 0.9);
+  EXPECT_EQ(parameters.turn_speed, avoid::AvoiderParameters().turn_speed) << "the window does not show it";
+  msg.doubles[1].value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(tuned({}, msg).stop_distance, 0.0) << "nothing of a message that holds what cannot be";
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ros/common/publish_flush.h"
+#include "ros/common/messages/stop_words.h"
 
 namespace frontier_pilot {
 namespace {
