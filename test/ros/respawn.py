@@ -6,6 +6,7 @@ import glob
 import os
 import signal
 import socket
+import subprocess
 import threading
 import unittest
 
@@ -186,6 +187,21 @@ class Respawn(unittest.TestCase):
             self.started_again('patrol_server', number)
             self.assertTrue(wait_for(lambda: 'is ignored: it was published before' in self.node.said()), self.node.said())
             self.assertNotIn('patrol requested', self.node.said(), '[ARB-8]')
+
+    # [ARB-8] [FLT-2]
+    def test_a_goal_that_is_latched_is_old_also_if_its_publisher_hung_while_the_node_was_started_again(self):
+        latcher = subprocess.Popen(['rostopic', 'pub', '-l', 'turtlebot3/goal', 'frontier_pilot/PatrolActionGoal',
+                                    '{goal: {goal: {x: 3.0, y: 0.15, z: 1.0}}}'], stdout=subprocess.DEVNULL)
+        self.addCleanup(latcher.wait)
+        self.addCleanup(latcher.kill)
+        self.node = self.start('patrol_server')
+        self.assertTrue(wait_for(lambda: 'patrol requested' in self.node.said()), 'the first one has not had it')
+        latcher.send_signal(signal.SIGSTOP)
+        self.started_again('patrol_server')
+        self.assertTrue(wait_for(lambda: 'but this node is not connected to it' in self.node.said(), 15.0), self.node.said())
+        latcher.send_signal(signal.SIGCONT)
+        self.assertTrue(wait_for(lambda: 'is ignored: it was published before' in self.node.said()), self.node.said())
+        self.assertNotIn('patrol requested', self.node.said(), '[ARB-8]')
 
     # [FLT-2]
     def test_a_second_node_of_a_name_does_not_start_and_the_first_goes_on(self):

@@ -82,11 +82,12 @@ class NodeConnections {
   }
 
   /// The same as `subscribe`, for commands: one that was published before, and that a latching publisher delivers
-  /// again, is dropped. In the first `settling` that holds for the first message of each latching publisher.
+  /// again, is dropped. In the first `settling` that holds for the first message of each latching publisher, and later
+  /// for that of one which is connected late.
   template <class Msg, class F>
   ros::Subscriber subscribeToCommands(const std::string& topic, std::uint32_t queue_size, F handle,
                                       const ros::TransportHints& hints = {}, Duration settling = settlingOfARestart()) {
-    const auto repeats = std::make_shared<LatchedRepeats>(steadyNow() + settling);
+    const auto repeats = std::make_shared<LatchedRepeats>(node_.resolveName(topic), steadyNow(), settling);
     return subscribeToEvents<Msg>(
         topic, queue_size,
         [repeats, topic, handle](const ros::MessageEvent<const Msg>& event) {

@@ -14,8 +14,12 @@ LatchedRepeats::Header connectionOf(const std::string& publisher, const std::str
   return header;
 }
 
+LatchedRepeats withSettling(double seconds) {
+  return {"/goal", timeFromSeconds<SteadyTime>(0.0), fromSeconds(seconds)};
+}
+
 TEST(LatchedRepeats, IsTheFirstMessageOfAnotherConnectionOfTheSamePublisher_ARB_8) {
-  LatchedRepeats repeats;
+  LatchedRepeats repeats = withSettling(0.0);
   const auto first = connectionOf("/pub"), second = connectionOf("/pub");
   EXPECT_FALSE(repeats.isRepeat(first, timeFromSeconds<SteadyTime>(1.0)));
   EXPECT_FALSE(repeats.isRepeat(first, timeFromSeconds<SteadyTime>(2.0)));
@@ -24,7 +28,7 @@ TEST(LatchedRepeats, IsTheFirstMessageOfAnotherConnectionOfTheSamePublisher_ARB_
 }
 
 TEST(LatchedRepeats, AreNoMessagesOfOtherPublishersOrOfOnesThatDoNotLatch_ARB_2) {
-  LatchedRepeats repeats(timeFromSeconds<SteadyTime>(10.0));
+  LatchedRepeats repeats = withSettling(10.0);
   EXPECT_FALSE(repeats.isRepeat(connectionOf("/joystick", "0"), timeFromSeconds<SteadyTime>(1.0)));
   EXPECT_FALSE(repeats.isRepeat(connectionOf("/joystick", ""), timeFromSeconds<SteadyTime>(2.0)));
   EXPECT_FALSE(repeats.isRepeat({}, timeFromSeconds<SteadyTime>(2.0)));
@@ -33,14 +37,29 @@ TEST(LatchedRepeats, AreNoMessagesOfOtherPublishersOrOfOnesThatDoNotLatch_ARB_2)
 }
 
 TEST(LatchedRepeats, IsTheFirstMessageThatANewNodeHears_ARB_6) {
-  LatchedRepeats repeats(timeFromSeconds<SteadyTime>(10.0));
+  LatchedRepeats repeats = withSettling(10.0);
   const auto connection = connectionOf("/pub");
   EXPECT_TRUE(repeats.isRepeat(connection, timeFromSeconds<SteadyTime>(9.0)));
   EXPECT_FALSE(repeats.isRepeat(connection, timeFromSeconds<SteadyTime>(9.5))) << "a second one is new";
 }
 
+// [ARB-8] It hung when the node was started, and wakes later.
+TEST(LatchedRepeats, IsTheFirstMessageOfAPublisherThatIsConnectedLate_ARB_8) {
+  const auto at = [](double seconds) { return timeFromSeconds<SteadyTime>(seconds); };
+  LateConnections late;
+  LatchedRepeats after_a_restart("/goal", at(0.0), kSettling, late), others("/goal", at(0.0), Duration::zero(), late);
+  late.note({{"/goal", "/hung"}, {"/goal", "/slow"}}, at(1.0));
+  late.note({{"/goal", "/hung"}}, at(2.0));
+  late.note({{"/goal", "/hung"}}, at(3.0));
+  EXPECT_TRUE(after_a_restart.isRepeat(connectionOf("/hung"), at(3.5)));
+  EXPECT_FALSE(after_a_restart.isRepeat(connectionOf("/slow"), at(3.5))) << "a connection takes its time to be made";
+  EXPECT_FALSE(others.isRepeat(connectionOf("/hung"), at(3.5))) << "what waits for the first node is meant for it";
+  EXPECT_FALSE(late.has("/other", "/hung", at(3.5)));
+  EXPECT_FALSE(late.has("/goal", "/hung", at(6.0))) << "it was connected, and had nothing to send";
+}
+
 TEST(LatchedRepeats, ForgetsTheOldestOfManyPublishers_FLT_1) {
-  LatchedRepeats repeats;
+  LatchedRepeats repeats = withSettling(0.0);
   for (int i = 0; i < 1000; ++i)
     repeats.isRepeat(connectionOf("/pub" + std::to_string(i)), timeFromSeconds<SteadyTime>(1.0));
   EXPECT_TRUE(repeats.isRepeat(connectionOf("/pub999"), timeFromSeconds<SteadyTime>(2.0)));

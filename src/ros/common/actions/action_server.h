@@ -206,8 +206,8 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   std::string name_;
   std::function<void()> recalled_;
   Rejections rejections_;
-  LatchedRepeats repeats_{steadyNow() + settlingOfARestart()};  ///< of goals
-  actionlib::GoalIDGenerator ids_;                              ///< of goals from within the node
+  LatchedRepeats repeats_{node_.resolveName(name_ + "/goal"), steadyNow(), settlingOfARestart()};  ///< of goals
+  actionlib::GoalIDGenerator ids_;  ///< of goals from within the node
   CallbackGuard callbacks_;
   UnreadableMessages unreadable_;
   ros::Publisher result_, feedback_, status_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ros/common/clock.h"
+#include "ros/common/messages/latched_repeats.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -94,9 +95,14 @@ void LostConnections::mend(const MasterState& state, const std::vector<std::stri
                            const UrisByTopic& connected) {
   const NodesByName lost = findLost(state, subscribed, connected);
   std::vector<std::string> keys;
+  std::set<std::pair<std::string, std::string>> missing;
   for (const auto& [topic, publishers] : lost) {
-    for (const std::string& publisher : publishers) keys.push_back(keyOf(topic, publisher));
+    for (const std::string& publisher : publishers) {
+      keys.push_back(keyOf(topic, publisher));
+      missing.emplace(topic, publisher);
+    }
   }
+  lateConnections().note(missing, steadyNow());
   const std::vector<std::string> due = times_.due(keys, steadyNow());
   const std::set<std::string> now(due.begin(), due.end());
   for (const auto& [topic, publishers] : lost) {

@@ -1,6 +1,7 @@
 #include "ros/common/messages/latched_repeats.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "ros/common/master/own_parameters.h"
 #include "ros/common/throttled_log.h"
@@ -15,6 +16,26 @@ std::string valueOf(const ros::M_string& header, const char* key) {
 
 }  // namespace
 
+void LateConnections::note(const std::set<std::pair<std::string, std::string>>& missing, SteadyTime now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& connection : missing) {
+    if (missing_.count(connection) > 0) late_[connection] = now;
+  }
+  missing_ = missing;
+  for (auto it = late_.begin(); it != late_.end();) it = now - it->second > kSettling ? late_.erase(it) : std::next(it);
+}
+
+bool LateConnections::has(const std::string& topic, const std::string& publisher, SteadyTime now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = late_.find({topic, publisher});
+  return found != late_.end() && now - found->second <= kSettling;
+}
+
+LateConnections& lateConnections() {
+  static LateConnections late;
+  return late;
+}
+
 bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
   if (!header || valueOf(*header, "latching") != "1") return false;
   const std::string publisher = valueOf(*header, "callerid");
@@ -23,7 +44,7 @@ bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
   if (known == heard_.end()) {
     if (heard_.size() == kMostRemembered) heard_.pop_front();
     heard_.emplace_back(publisher, header);
-    return now < settled_;
+    return now < settled_ || (settles_ && late_.has(topic_, publisher, now));
   }
   const bool is_repeat = known->second != header;
   heard_.erase(known);

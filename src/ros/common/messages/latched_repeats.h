@@ -5,12 +5,38 @@
 #include <boost/shared_ptr.hpp>
 #include <cstddef>
 #include <deque>
+#include <map>
+#include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot {
+
+/// How long a node that starts is being connected to those who publish already; also on a busy computer.
+constexpr Duration kSettling = std::chrono::seconds(2);
+
+/// The publishers to which this node was not connected although the master knew them, for instance because they hung
+/// when the node was started. Whatever they latch is delivered when they are connected at last. May be used from
+/// several threads.
+class LateConnections {
+ public:
+  /// What is missing in one look, as (topic, publisher); looks are a second apart. What is missing in two successive
+  /// ones is late, because a connection takes its time to be made.
+  void note(const std::set<std::pair<std::string, std::string>>& missing, SteadyTime now);
+  /// Whether the publisher was late until a moment ago.
+  bool has(const std::string& topic, const std::string& publisher, SteadyTime now) const;
+
+ private:
+  mutable std::mutex mutex_;  ///< guards all that follow
+  std::set<std::pair<std::string, std::string>> missing_;
+  std::map<std::pair<std::string, std::string>, SteadyTime> late_;  ///< when each was missing last
+};
+
+/// Those of this process.
+LateConnections& lateConnections();
 
 /// Recognizes commands that were published before and are delivered again: a latching publisher (`rostopic pub`, for
 /// instance) sends its last message to each new connection, whenever it was published. A connection that is made again,
@@ -19,25 +45,27 @@ class LatchedRepeats {
  public:
   using Header = boost::shared_ptr<ros::M_string>;  ///< the header of a connection, which belongs to that one alone
 
-  /// The first message of each latching publisher that arrives before `settled` counts as published before this node
-  /// was there.
-  explicit LatchedRepeats(SteadyTime settled = SteadyTime::min()) : settled_(settled) {}
+  /// The first message of each latching publisher that arrives within `settling` of the `start` counts as published
+  /// before this node was there, and so does that of one that is connected late. With zero neither does.
+  LatchedRepeats(std::string topic, SteadyTime start, Duration settling,
+                 const LateConnections& late = lateConnections())
+      : topic_(std::move(topic)), settled_(start + settling), settles_(settling > Duration::zero()), late_(late) {}
 
   /// Whether a message that arrives now by the connection with this header was published before: it is the first one
-  /// that a latching publisher sends by it, and that publisher was heard by another connection already, or this node is
-  /// not settled yet. A publisher that is started again under its old name is not told from one that is connected
-  /// again.
+  /// that a latching publisher sends by it, and that publisher was heard by another connection already, or was
+  /// connected late, or this node is not settled yet. A publisher that is started again under its old name is not told
+  /// from one that is connected again.
   bool isRepeat(const Header& header, SteadyTime now);
 
  private:
   static constexpr std::size_t kMostRemembered = 200;  ///< latching publishers; most have names that are used once
 
+  std::string topic_;  ///< a resolved name
   SteadyTime settled_;
+  bool settles_;
+  const LateConnections& late_;
   std::deque<std::pair<std::string, Header>> heard_;  ///< by publisher: the connection by which it was heard last
 };
-
-/// How long a node that starts is being connected to those who publish already; also on a busy computer.
-constexpr Duration kSettling = std::chrono::seconds(2);
 
 /// The same for a node that was started after another one of its name, which has had the commands of that time; zero
 /// for others: a goal that is latched before the navigation is there at all is meant for it.
