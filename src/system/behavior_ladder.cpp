@@ -6,12 +6,13 @@
 
 namespace frontier_pilot::system {
 
-behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline) {
-  return [scan_distance = in.scan_distance, has_room = in.has_room, outline](const Pose2& T_map_base,
-                                                                             const behavior::AxisMotion& motion) {
-    if (motion.axis == behavior::AxisMotion::Axis::kTurn && outline.isDisc()) return behavior::SweepResult::kClear;
-    constexpr double kStep = 0.03;  // [m]: how far a point of the outline may move between two poses
+behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline, double run_on) {
+  return [scan_distance = in.scan_distance, has_room = in.has_room, outline, run_on](const Pose2& T_map_base,
+                                                                                     behavior::AxisMotion motion) {
     const bool turns = motion.axis == behavior::AxisMotion::Axis::kTurn;
+    if (turns && outline.isDisc()) return behavior::SweepResult::kClear;
+    if (!turns) motion.amount += std::copysign(run_on, motion.amount);
+    constexpr double kStep = 0.03;  // [m]: how far a point of the outline may move between two poses
     const double travel = std::abs(motion.amount) * (turns ? outline.circumscribedRadius() : 1.0);
     const int poses = std::max(10, static_cast<int>(std::ceil(travel / kStep)));
     const double at_start = scan_distance(outline, T_map_base);
@@ -29,29 +30,36 @@ behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outli
 }
 
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
-                                  const Outline& outline) {
-  const behavior::LookAhead look = lookAround(in, outline);
+                                  const Outline& outline, const LastCommand& last) {
   const double sign = goal.kind == behavior::BehaviorKind::kBackUp ? -1.0 : 1.0;
   const auto axis = goal.kind == behavior::BehaviorKind::kSpin ? behavior::AxisMotion::Axis::kTurn
                                                                : behavior::AxisMotion::Axis::kLine;
   constexpr int kParts = 8;
+  constexpr double kReserve = 0.02;  // [m]: later scans may show less room than this one
   behavior::BehaviorGoal part = goal;
-  for (int i = kParts; i > 1; --i) {
-    part.target = goal.target * i / kParts;
-    if (look(in.T_map_base, {axis, sign * part.target}) == behavior::SweepResult::kClear) break;
+  for (const double share : {1.0, 0.5, 0.25}) {
+    part.speed = share * goal.speed;
+    const behavior::LookAhead look = lookAround(in, outline, last.runOn(part.speed) + kReserve);
+    for (int i = kParts; i > 1; --i) {
+      part.target = goal.target * i / kParts;
+      if (look(in.T_map_base, {axis, sign * part.target}) == behavior::SweepResult::kClear) return part;
+    }
   }
   return part;
 }
 
-navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavior::BehaviorParameters& behavior,
-                                const Outline& outline) {
+navigation::Recovery recoveryBy(behavior::BehaviorGoal goal, const behavior::BehaviorParameters& behavior,
+                                const Outline& outline, double command_lifetime) {
   const auto core = std::make_shared<behavior::TimedBehavior>(behavior);  // a std::function must be copyable
-  return [goal, outline, core, begun = false](const navigation::RecoveryInputs& in, Time now) mutable {
-    if (!begun) core->start(freePartOf(goal, in, outline), now);
+  const RobotLimits& limits = behavior.robot.limits;
+  const LastCommand last{command_lifetime + 1.0 / behavior.frequency, limits.max_linear_acc};
+  goal.speed = std::min(behavior.default_linear_vel, limits.max_linear);
+  return [goal, outline, core, last, begun = false](const navigation::RecoveryInputs& in, Time now) mutable {
+    if (!begun) core->start(freePartOf(goal, in, outline, last), now);
     begun = true;
     behavior::BehaviorInputs inputs;
     inputs.pose = StampedPose2{now, in.T_map_base};
-    inputs.look_ahead = lookAround(in, outline);
+    inputs.look_ahead = lookAround(in, outline, last.runOn(core->goal().speed));
     const behavior::BehaviorOutput output = core->update(inputs, now);
     return navigation::RecoveryStep{output.command.value_or(Twist2()), !core->active()};
   };
@@ -79,12 +87,12 @@ std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::Navigator
                                     true};
   const double lifetime = params.follower.command_lifetime;
   const auto backing_up = [=] {
-    return robot.drivenOutline().isDisc() ? recoveryBy(back_up, behavior, outline)
+    return robot.drivenOutline().isDisc() ? recoveryBy(back_up, behavior, outline, lifetime)
                                           : navigation::backOut(recovery, robot, lifetime);
   };
   return {{"clearing the local costmap", true, {}},
           {"backing up", false, backing_up},
-          {"spinning", true, [=] { return recoveryBy(spin, behavior, outline); }}};
+          {"spinning", true, [=] { return recoveryBy(spin, behavior, outline, lifetime); }}};
 }
 
 }  // namespace frontier_pilot::system
