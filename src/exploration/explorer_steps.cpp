@@ -88,7 +88,11 @@ ExplorerReason Explorer::Impl::whyNothingIsLeft() const {
 
 void Explorer::Impl::returnToStart(Time now) {
   if (!mayReturn()) return enter(ExplorerState::kDone, *done_reason_, "", now);
-  if (!evaluator_.map().bounds().empty()) evaluator_.findWays(T_map_base_->position(), start_->position());
+  evaluator_.findWays(T_map_base_->position(), start_->position());
+  if (!evaluator_.map().bounds().empty() && !evaluator_.endOfWay(start_->position())) {
+    note(true, "the robot does not return to the start: no way within the bounds is known");
+    return enter(ExplorerState::kDone, *done_reason_, "", now);
+  }
   Goal goal;
   goal.position = start_->position();
   goal.purpose = Goal::Purpose::kReturn;
@@ -99,9 +103,9 @@ void Explorer::Impl::returnToStart(Time now) {
 /// The time that it takes to drive to a goal at the mean speed [s]; along a straight line if the last decision found
 /// no way.
 double Explorer::Impl::secondsTo(const Vec2& goal) const {
-  const Vec2 robot = T_map_base_->position();
-  const double way = evaluator_.travel().distance(evaluator_.travel().geometry().cellAt(goal));
-  return (std::isfinite(way) ? way : (goal - robot).norm()) / meanSpeed(parameters_.robot.limits);
+  const std::optional<Cell> end = evaluator_.endOfWay(goal);
+  const double way = end ? evaluator_.travel().distance(*end) : (goal - T_map_base_->position()).norm();
+  return way / meanSpeed(parameters_.robot.limits);
 }
 
 void Explorer::Impl::navigate(Time now) {

@@ -87,11 +87,16 @@ class FrontierEvaluator {
   }
   /// Where to send the robot first on its way to `goal`, see limits/way_inside.h; by the last evaluation.
   Vec2 stopOnTheWay(const Vec2& robot, const Vec2& goal) const {
-    return exploration::stopOnTheWay(travel_, map_, robot, goal, lane_);
+    return exploration::stopOnTheWay(travel_, map_, robot, goal, endOfWay(goal), lane_);
   }
   /// Computes the ways from the robot anew, through tight gaps if none leads to `place` otherwise, for `stopOnTheWay`.
   /// The judgement of the frontiers stays as it is.
   void findWays(const Vec2& robot, const Vec2& place);
+  /// The end of the last evaluation's way to `place`, which may itself be too near to an obstacle; nullopt if none
+  /// leads there.
+  std::optional<Cell> endOfWay(const Vec2& place) const {
+    return travel_.nearestReached(map_.grid(), map_.geometry().cellAt(place), parameters_.escape_radius);
+  }
   /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
   /// What a view from `goal` [m, rad] is expected to show now. [EXP-6]

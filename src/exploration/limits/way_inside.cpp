@@ -52,12 +52,10 @@ bool noWayLeadsOutside(const ObservedMap& map, const Vec2& from, const Vec2& to,
   return true;
 }
 
-/// The cells of the shortest path, beginning at the goal.
-std::vector<Cell> pathFrom(const TravelField& travel, Cell goal) {
-  std::vector<Cell> path;
-  if (!travel.reached(goal)) return path;
-  path.push_back(goal);
-  for (Cell next = nextTowardsOrigin(travel, goal); next != path.back(); next = nextTowardsOrigin(travel, next)) {
+/// The cells of the shortest path, beginning at its end, which is reached.
+std::vector<Cell> pathFrom(const TravelField& travel, Cell end) {
+  std::vector<Cell> path{end};
+  for (Cell next = nextTowardsOrigin(travel, end); next != path.back(); next = nextTowardsOrigin(travel, next)) {
     path.push_back(next);
   }
   return path;
@@ -65,13 +63,14 @@ std::vector<Cell> pathFrom(const TravelField& travel, Cell goal) {
 
 /// The first place of the path up to which the navigation may choose its own way; the path's size if there is none.
 /// The ellipses of nearer places lie in those of farther ones.
-std::size_t freeChoice(const TravelField& travel, const ObservedMap& map, const Vec2& robot,
+std::size_t freeChoice(const TravelField& travel, const ObservedMap& map, const Vec2& robot, const Vec2& goal,
                        const std::vector<Cell>& path, double half_width) {
   std::size_t outside = 0, inside = path.size();
   while (outside < inside) {
     const std::size_t i = (outside + inside) / 2;
-    const double length = travel.distance(path[i]) + kMargin;
-    const Vec2 place = map.geometry().centre(path[i]);
+    const Vec2 on_path = map.geometry().centre(path[i]);
+    const Vec2 place = i == 0 ? goal : on_path;
+    const double length = travel.distance(path[i]) + (place - on_path).norm() + kMargin;
     if (length <= kLongest && noWayLeadsOutside(map, robot, place, length, half_width)) {
       inside = i;
     } else {
@@ -84,13 +83,13 @@ std::size_t freeChoice(const TravelField& travel, const ObservedMap& map, const 
 }  // namespace
 
 Vec2 stopOnTheWay(const TravelField& travel, const ObservedMap& map, const Vec2& robot, const Vec2& goal,
-                  const LaneWidth& lane) {
+                  const std::optional<Cell>& end, const LaneWidth& lane) {
   constexpr double kNear = 1.0;  // [m]: a path of a robot too near to an obstacle begins at some distance from it
-  if (map.bounds().empty() || map.empty() || laneIsFree(map, robot, goal, lane.wanted)) return goal;
+  if (map.bounds().empty() || !end || laneIsFree(map, robot, goal, lane.wanted)) return goal;
   const GridGeometry& geometry = map.geometry();
-  const std::vector<Cell> path = pathFrom(travel, geometry.cellAt(goal));
-  if (path.empty() || (geometry.centre(path.back()) - robot).norm() > kNear) return goal;
-  const std::size_t free_from = freeChoice(travel, map, robot, path, lane.least);
+  const std::vector<Cell> path = pathFrom(travel, *end);
+  if ((geometry.centre(path.back()) - robot).norm() > kNear) return goal;
+  const std::size_t free_from = freeChoice(travel, map, robot, goal, path, lane.least);
   std::size_t step = 0;  // the end of a short step along the path
   for (const double half_width : {lane.wanted, lane.least}) {
     for (step = 0; step < path.size() && travel.distance(path[step]) > kShortest; ++step) {

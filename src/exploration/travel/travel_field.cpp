@@ -103,6 +103,15 @@ void TravelField::spread(const Grid<std::uint8_t>& neighbours, std::uint32_t far
   }
 }
 
+std::optional<Cell> TravelField::nearestReached(const OccupancyGrid& map, Cell place, double radius) const {
+  std::optional<Cell> nearest;
+  const auto is_end = [&](Cell cell) { return nearest || reached(cell); };
+  const auto step_cost = [&](Cell, Cell next) { return map.contains(next) && !isOccupied(map[next]) ? 1.0 : -1.0; };
+  grids::ExitSearch(place, static_cast<int>(radius / map.resolution()))
+      .run(false, is_end, step_cost, [&](Cell cell, double) { nearest = nearest.value_or(cell); });
+  return nearest;
+}
+
 bool TravelField::anyReached(const CellRect& rect) const {
   const CellRect box = rect.intersection(geometry().rect());
   for (int y = box.y; y < box.y + box.height; ++y) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
@@ -68,6 +69,9 @@ class TravelField {
   void compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest, const std::vector<Cell>& targets);
 
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
+  /// The reached cell that is the fewest steps from `place`, over cells of `map` that are not occupied and at most
+  /// `radius` [m] away: where a way to a place that is too near to an obstacle ends.
+  std::optional<Cell> nearestReached(const OccupancyGrid& map, Cell place, double radius) const;
   /// Whether any cell of `rect` is reached.
   bool anyReached(const CellRect& rect) const;
   /// Number of cells of `rect` that are reached.

@@ -54,7 +54,11 @@ class SlowExplorer : public test::ExplorerTest {
     parameters.robot.limits.max_linear = 0.005;
     return parameters;
   }
-  SlowExplorer() : ExplorerTest(slow()) {}
+  explicit SlowExplorer(const exploration::ExplorerParameters& parameters = slow()) : ExplorerTest(parameters) {}
+  /// It moves along x at `speed` [m/s].
+  void drive(double speed, double seconds) {
+    for (const Time end = now + fromSeconds(seconds); now < end; tick()) pose.x += 0.1 * speed;
+  }
 };
 
 // [EXP-5]
@@ -70,6 +74,59 @@ TEST_F(SlowExplorer, AGoalThatIsFartherThanTheTimeoutIsNotGivenUpOnTheWay) {
   EXPECT_FALSE(wentThrough(State::kEvaluate, Reason::kGoalTimedOut)) << "150 s";
   tickFor(400.0);
   EXPECT_TRUE(wentThrough(State::kEvaluate, Reason::kGoalTimedOut)) << "it stands";
+}
+
+/// An exploration that the battery ends, far from where it began.
+class SlowReturn : public SlowExplorer {
+ protected:
+  static exploration::ExplorerParameters returning() {
+    exploration::ExplorerParameters parameters = slow();
+    parameters.until.battery = 0.2;
+    parameters.return_to_start = true;
+    return parameters;
+  }
+  SlowReturn() : SlowExplorer(returning()) {}
+  /// Begins at `start`, and has to return from `end`.
+  void returnFrom(Pose2 end, Pose2 start) {
+    inputs.battery = 0.5;
+    pose = start;
+    tick();
+    pose = end;
+    inputs.battery = 0.2;
+    ASSERT_EQ(tick().status.reason, Reason::kReturningToStart);
+  }
+};
+
+// [EXP-5] [EXP-10] The last decision was made at the start, from where there is no way to it.
+TEST_F(SlowReturn, AWayBackThatTakesLongerThanTheTimeoutIsNotGivenUpOnTheWay_EXP_5_EXP_10) {
+  show(kTwoEnds);
+  returnFrom(Pose2(2.0, pose.y, 0.0), pose);
+  drive(-0.004, 150.0);
+  EXPECT_FALSE(wentThrough(State::kEvaluate, Reason::kGoalTimedOut));
+}
+
+// [EXP-5] [EXP-10]
+TEST_F(SlowReturn, AWayBackAroundAWallHasItsTimeAlsoIfTheStartIsTooNearToAWall_EXP_5_EXP_10) {
+  show(R"(
+    ##############################################
+    #............................................#
+    #............................................#
+    #............................................#
+    #............................................#
+    #............................................#
+    #............................................#
+    ###################################..........#
+    #............................................#
+    #............................................#
+    #............................................#
+    #...r........................................#
+    #............................................#
+    #............................................#
+    ##############################################
+  )");
+  returnFrom(pose, Pose2(0.2, 0.66, 0.0));
+  drive(0.004, 300.0);
+  EXPECT_FALSE(wentThrough(State::kEvaluate, Reason::kGoalTimedOut)) << "the straight line takes 110 s, the way 700 s";
 }
 
 }  // namespace

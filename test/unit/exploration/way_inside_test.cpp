@@ -116,8 +116,9 @@ class WayBack : public WayInside {
     parameters.return_to_start = true;
     return parameters;
   }
-  WayBack() : WayInside(returning()) {
+  explicit WayBack(const std::optional<Pose2>& from = std::nullopt) : WayInside(returning()) {
     show(hall());
+    if (from) pose = *from;
     start = pose;
     explorer.setBounds(barrier(), world.map);
     inputs.battery = 0.5;
@@ -177,6 +178,35 @@ TEST_F(WayBack, IsFinishedAlthoughTheReturnIsSwitchedOffMeanwhile_EXP_10) {
   expectTheRestOfTheWay();
 }
 
+/// The same from a start that is too near to a wall for a way to lead to it.
+class WayBackToAWall : public WayBack {
+ protected:
+  WayBackToAWall() : WayBack(Pose2(0.5, 0.12, 0.0)) {}
+};
+
+// [EXP-10]
+TEST_F(WayBackToAWall, LeadsAroundAKeepOutAreaAsWell_EXP_10) {
+  ASSERT_EQ(end().status.reason, Reason::kReturningToStart);
+  exploration::ExplorerOutput output;
+  for (int leg = 0; leg < 10 && output.status.state != State::kDone; ++leg) {
+    ASSERT_FALSE(crossesBarrier(pose.position(), sent.goal.position())) << "leg " << leg;
+    output = reachStop();
+  }
+  EXPECT_EQ(output.status.reason, Reason::kUntilBattery);
+  EXPECT_EQ(pose.position(), start.position()) << "the start itself is the last leg";
+}
+
+// [EXP-10]
+TEST_F(WayBack, IsNotTriedWithoutAKnownWayThatStaysWithinTheBounds_EXP_10) {
+  change({1, 1, 30, 58}, kOccupied);
+  const std::uint32_t before = history.back().goals_sent;
+  const exploration::ExplorerOutput output = end();
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.status.reason, Reason::kUntilBattery);
+  EXPECT_EQ(output.status.goals_sent, before);
+  EXPECT_EQ(notesWith("does not return to the start"), 1U);
+}
+
 /// Two halls of free floor that a keep-out area across the whole building separates.
 class SeparatedByBounds : public WayInside {
  protected:
@@ -225,7 +255,8 @@ TEST_F(WayInside, ALaneBesideTheBoundsLeavesTheRobotItsMargin_EXP_10) {
   bounds.keep_out = {{{2.0, 1.62}, {3.0, 1.62}, {3.0, 2.8}, {2.0, 2.8}}};  // less than 0.134 m beside the line
   const Vec2 robot(1.0, 1.5), goal(4.0, 1.5);
   const BoundedFloor floor(room.map, bounds, robot);
-  const Vec2 stop = exploration::stopOnTheWay(floor.travel, floor.map, robot, goal, {0.134, 0.089});
+  const Vec2 stop = exploration::stopOnTheWay(floor.travel, floor.map, robot, goal, floor.map.geometry().cellAt(goal),
+                                              {0.134, 0.089});
   EXPECT_NE(stop, goal);
   EXPECT_GT((stop - robot).norm(), 0.5);
 }
@@ -254,7 +285,8 @@ TEST(StopOnTheWay, LeavesTheNavigationNoShorterWayThroughWhatIsOutOfBounds_EXP_1
   const Vec2 robot(0.5, 0.6), goal(3.5, 0.6);
   const BoundedFloor floor(world.map, bounds, robot);
   ASSERT_TRUE(floor.travel.reached(floor.map.geometry().cellAt(goal)));
-  const Vec2 stop = exploration::stopOnTheWay(floor.travel, floor.map, robot, goal, {0.134, 0.089});
+  const Vec2 stop = exploration::stopOnTheWay(floor.travel, floor.map, robot, goal, floor.map.geometry().cellAt(goal),
+                                              {0.134, 0.089});
   EXPECT_NE(stop, goal) << "the passage is shorter than the way between the baffles";
 }
 
