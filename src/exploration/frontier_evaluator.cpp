@@ -58,9 +58,11 @@ bool FrontierEvaluator::evaluateTightWays(const Context& context) {
 }
 
 bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
-  const bool cut_off = robotHasGround() && !travel_.reached(map_.geometry().cellAt(context.start));
+  const bool cut_off = robotHasGround() && !endOfWay(context.start);
   if (!cut_off || boundsSeparate(map_, context.robot, context.start)) return false;
-  return judgeAll(tight_space_, context.start, context);
+  if (judgeAll(tight_space_, context.start, context)) return true;
+  evaluateTightWays(context);
+  return false;
 }
 
 void FrontierEvaluator::findWays(const Vec2& robot, const Vec2& place) {

@@ -82,6 +82,36 @@ TEST_F(FallBacks, ARobotThatWallsCutOffIsSentThereAlsoIfThereAreBoundsElsewhere_
   EXPECT_TRUE(ends(output.status.reason_text, ", by ways from the start")) << output.status.reason_text;
 }
 
+/// A closed room, and one beside it with the robot, whose right end is unknown.
+constexpr const char* kBehindTheStart = R"(
+  ########################################################
+  #..........#...................................????????#
+  #..........#...................................????????#
+  #..........#...................................????????#
+  #..........#...................................????????#
+  #....r.....#...................................????????#
+  #..........#...................................????????#
+  #..........#...................................????????#
+  #..........#...................................????????#
+  #..........#...................................????????#
+  ########################################################
+)";
+
+// [EXP-1] [EXP-5]
+TEST_F(FallBacks, WhatIsBlacklistedIsTriedOnceMoreAlsoByARobotThatIsCutOffFromItsStart_EXP_1_EXP_5) {
+  show(kBehindTheStart);
+  explorer.setStart(pose);
+  pose.x = 1.0;
+  exploration::ExplorerOutput output = tick();
+  ASSERT_EQ(output.status.state, State::kNavigating);
+  for (int i = 0; i < 40 && output.status.state != State::kDone; ++i) {
+    if (output.status.state == State::kNavigating) goalEnds(Event::kAborted, "blocked");
+    output = tickFor(1.0);
+  }
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_TRUE(wentThrough(State::kSelectGoal, Reason::kBlacklistSaturated));
+}
+
 // [EXP-1] [EXP-5]
 TEST_F(FallBacks, CoverageComesBeforeAnotherTryOfWhatIsBlacklisted_EXP_1_EXP_5) {
   show(kRoom);

@@ -268,5 +268,14 @@ TEST_F(FrontierJudgement, AStripSeenThroughADoorHasAGoalAtTheDoor_EXP_2) {
   EXPECT_EQ(f.rejection, exploration::Rejection::kNone) << toString(f.rejection) << " [EXP-2]";
 }
 
+// [EXP-5] Near a wall, where no way leads to.
+TEST_F(FrontierJudgement, ARobotIsNotCutOffFromAStartThatIsOnlyTooNearToAWall_EXP_5) {
+  judge(kRoom);
+  const exploration::FrontierEvaluator::Context context{world.point('r'), {0.5, 0.1}, &history, 0.0};
+  evaluator->evaluateTightWays(context);
+  ASSERT_FALSE(evaluator->travel().reached(world.map.geometry().cellAt(context.start)));
+  EXPECT_FALSE(evaluator->evaluateWaysFromStart(context));
+}
+
 }  // namespace
 }  // namespace frontier_pilot
