@@ -109,6 +109,8 @@ class FrontierEvaluator {
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
   /// Whether a goal at `cell` can be reached and passes every filter. [EXP-3] [EXP-5]
   bool allowsGoal(Cell cell) const;
+  /// The weights of the candidates' scores.
+  const ScoreParameters& scoreWeights() const { return parameters_.score; }
   /// How the views from goals are estimated.
   const ViewParameters& view() const { return parameters_.view; }
   /// Sets Frontier::place and Frontier::cost.

@@ -20,7 +20,8 @@ class CandidateStrategy : public GoalStrategy {
       if (const auto present = evaluator.candidateAt(*situation.current, robot)) all.push_back(*present);
     }
     const auto current = situation.current ? std::make_optional(situation.current->position()) : std::nullopt;
-    const std::optional<std::size_t> best = bestOf(all, current);
+    const ScoreParameters& weights = evaluator.scoreWeights();
+    const std::optional<std::size_t> best = bestOf(all, current, weights);
     if (!best) return std::nullopt;
     const GoalCandidate& chosen = all[*best];
     ChosenGoal goal;
@@ -30,42 +31,37 @@ class CandidateStrategy : public GoalStrategy {
                             : situation.current->yaw;  // it is the present goal
     goal.distance = chosen.travel_distance;
     goal.area = chosen.info.area;
-    goal.why = why(chosen);
+    goal.why = why(chosen, weights);
     return goal;
   }
 
  private:
   virtual std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
-                                            const std::optional<Vec2>& current) const = 0;
-  virtual std::string why(const GoalCandidate& chosen) const = 0;
+                                            const std::optional<Vec2>& current,
+                                            const ScoreParameters& weights) const = 0;
+  virtual std::string why(const GoalCandidate& chosen, const ScoreParameters& weights) const = 0;
 };
 
 /// The goal with the best score. [EXP-4]
 class GreedyStrategy : public CandidateStrategy {
- public:
-  explicit GreedyStrategy(const ScoreParameters& parameters) : parameters_(parameters) {}
-
- private:
-  std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
-                                    const std::optional<Vec2>& current) const override {
-    return chooseBestScore(candidates, current, parameters_);
+  std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates, const std::optional<Vec2>& current,
+                                    const ScoreParameters& weights) const override {
+    return chooseBestScore(candidates, current, weights);
   }
 
-  std::string why(const GoalCandidate& chosen) const override {
-    const ScoreTerms terms = scoreTerms(chosen, parameters_);
+  std::string why(const GoalCandidate& chosen, const ScoreParameters& weights) const override {
+    const ScoreTerms terms = scoreTerms(chosen, weights);
     char text[120];
     std::snprintf(text, sizeof text, "score %.2f: information %+.2f, distance %+.2f, obstacles %+.2f, visits %+.2f",
                   chosen.score, terms.information, terms.distance, terms.obstacles, terms.visits);
     return text;
   }
-
-  ScoreParameters parameters_;
 };
 
 /// The goal with the shortest way. The present goal is kept unless another one is nearer by a fifth.
 class NearestStrategy : public CandidateStrategy {
-  std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
-                                    const std::optional<Vec2>& current) const override {
+  std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates, const std::optional<Vec2>& current,
+                                    const ScoreParameters& /*weights*/) const override {
     constexpr double kAdvantage = 0.8;
     constexpr double kSamePlace = 0.5;  // [m]
     std::optional<std::size_t> best;
@@ -80,7 +76,7 @@ class NearestStrategy : public CandidateStrategy {
     return best;
   }
 
-  std::string why(const GoalCandidate& chosen) const override {
+  std::string why(const GoalCandidate& chosen, const ScoreParameters& /*weights*/) const override {
     char text[40];
     std::snprintf(text, sizeof text, "the nearest, %.1f m away", chosen.travel_distance);
     return text;
@@ -90,7 +86,7 @@ class NearestStrategy : public CandidateStrategy {
 }  // namespace
 
 std::unique_ptr<GoalStrategy> makeStrategy(const ExplorerParameters& parameters) {
-  if (parameters.strategy == "greedy") return std::make_unique<GreedyStrategy>(parameters.frontier.score);
+  if (parameters.strategy == "greedy") return std::make_unique<GreedyStrategy>();
   if (parameters.strategy == "nearest") return std::make_unique<NearestStrategy>();
   if (parameters.strategy == "tour") return std::make_unique<TourStrategy>(parameters);
   throw std::invalid_argument("strategy must be tour, greedy or nearest, not '" + parameters.strategy + "'");

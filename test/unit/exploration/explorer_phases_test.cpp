@@ -173,5 +173,17 @@ TEST_F(GreedyExplorer, OtherWeightsLeaveTheOperatorsSwitchAsItIs_EXP_10) {
   EXPECT_TRUE(explorer.returnsToStart());
 }
 
+// [EXP-4]
+TEST_F(GreedyExplorer, NewWeightsAreThoseInTheExplanationToo_EXP_4) {
+  show(kRoom);
+  tick();
+  ASSERT_EQ(explorer.explain().find("information +0.00"), std::string::npos) << explorer.explain();
+  exploration::ExplorerParameters tuned = parameters();
+  tuned.frontier.score.w_info = 0.0;
+  explorer.setParameters(tuned);
+  tickFor(tuned.decision_period + 0.2);
+  EXPECT_NE(explorer.explain().find("information +0.00"), std::string::npos) << explorer.explain();
+}
+
 }  // namespace
 }  // namespace frontier_pilot
