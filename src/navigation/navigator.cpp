@@ -105,12 +105,13 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
   takeIn(inputs, now);
   neighbours_ = {inputs.order.moving, dynamic_.at(now)};
   takeEvents(inputs, now);
-  if (obey(inputs, now) || !goal_) return output_;
-  if (const auto missing = missingData(inputs, now)) {
-    wait(*missing, now);
-  } else {
-    waiting_since_.reset();
-    pursueGoal(inputs, now);
+  if (!obey(inputs, now) && goal_) {
+    if (const auto missing = missingData(inputs, now)) {
+      wait(*missing, now);
+    } else {
+      waiting_since_.reset();
+      pursueGoal(inputs, now);
+    }
   }
   if (output_.command) predictor_.commanded(*output_.command, now);
   return output_;

@@ -32,7 +32,6 @@ bool Navigator::Impl::obey(const NavigatorInputs& inputs, Time now) {
   } else {
     command({}, NavState::kWaiting, NavReason::kTraffic);
   }
-  if (output_.command) predictor_.commanded(*output_.command, now);
   return true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/floors/driven_robot.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -52,6 +54,23 @@ TEST(MotionPredictor, ForgetsWhatWasToldBeforeTheClockWasSetBack) {
   predictor.commanded({0.2, 0.0}, at(100.0));
   predictor.commanded({0.0, 0.0}, at(1.0));
   EXPECT_EQ(predictor.predict({at(1.0), Pose2()}, {}, at(1.4)).T_map_base.x, 0.0);
+}
+
+// [NAV-1] A navigator that stops for a cancelled goal tells its predictor so.
+TEST(MotionPredictor, KnowsAfterACancelledGoalThatTheRobotStands_NAV_1) {
+  OccupancyGrid floor(GridGeometry{0.05, Vec2::Zero(), 120, 60}, kFree);
+  test::DrivenRobot robot(floor, {1.0, 1.5, 0.0});
+  robot.send({5.0, 1.5}, 1);
+  robot.run(2.0);
+  ASSERT_GT(robot.speed(), 0.1);
+  robot.cancel();
+  robot.run(1.0);
+  ASSERT_EQ(robot.speed(), 0.0);
+  robot.pose_ahead = fromSeconds(-0.4);  // where the robot is now has to be predicted
+  robot.send({5.0, 1.5}, 2);
+  robot.tick();
+  ASSERT_FALSE(robot.navigator().prediction().empty());
+  EXPECT_LT((robot.navigator().prediction().front() - robot.pose().position()).norm(), 0.03);
 }
 
 }  // namespace
