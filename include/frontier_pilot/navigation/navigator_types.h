@@ -36,7 +36,7 @@ struct MovingDisc {
 /// the map's frame. [MUL-3]
 struct NavOrder {
   bool hold = false;               ///< stand still
-  std::optional<Vec2> aside;       ///< drive there, and wait; also without a goal
+  std::optional<Vec2> aside;       ///< drive there, and wait; without a goal the robot stays where it is
   std::string why;                 ///< in words, while one of the two is asked for
   std::vector<Disc> making_way;    ///< robots that are leaving: plans may lead through them, motions may not
   std::vector<MovingDisc> moving;  ///< robots nearby that drive: motions keep off where they are going to be
