@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -32,6 +33,8 @@ Grid<std::int32_t> columnDistances(const Grid<std::uint8_t>& obstacle, const Cel
   return rows;
 }
 
+std::int64_t squareOf(std::int64_t cells) { return cells * cells; }
+
 /// The lower envelope of the parabolas f(q) + (x - q)^2: the intervals in which each of them is the lowest.
 class LowerEnvelope {
  public:
@@ -51,9 +54,7 @@ class LowerEnvelope {
     std::size_t k = 0;
     for (int x = 0; x < size; ++x) {
       while (k + 1 < count_ && from_[k + 1] < static_cast<double>(x)) ++k;
-      const int dx = x - apex_[k];
-      const std::int32_t dy = rows[apex_[k]];
-      emit(x, dx * dx + dy * dy);
+      emit(x, squareOf(x - apex_[k]) + squareOf(rows[apex_[k]]));
     }
   }
 
@@ -72,8 +73,8 @@ class LowerEnvelope {
 
   /// Where the parabola of `q` becomes lower than the one of `p` < `q`.
   static double crossing(int p, int q, const std::int32_t* rows) {
-    const int fp = rows[p] * rows[p] + p * p;
-    const int fq = rows[q] * rows[q] + q * q;
+    const std::int64_t fp = squareOf(rows[p]) + squareOf(p);
+    const std::int64_t fq = squareOf(rows[q]) + squareOf(q);
     return static_cast<double>(fq - fp) / (2.0 * (q - p));
   }
 
@@ -90,13 +91,13 @@ class SquaredCellsToMetres {
     table_.reserve(static_cast<std::size_t>(side * side) + 1);
     for (int i = 0; i <= side * side; ++i) table_.push_back(metres(i));
   }
-  float operator()(std::int32_t squared) const {
+  float operator()(std::int64_t squared) const {
     const auto i = static_cast<std::size_t>(squared);
     return i < table_.size() ? table_[i] : metres(squared);
   }
 
  private:
-  float metres(std::int32_t squared) const {
+  float metres(std::int64_t squared) const {
     return static_cast<float>(std::min(std::sqrt(static_cast<double>(squared)) * resolution_, max_));
   }
 
@@ -139,7 +140,7 @@ void DistanceField::compute(const Grid<std::uint8_t>& obstacle, const CellRect& 
       std::fill(out, out + window.width, far);
       continue;
     }
-    envelope.sample(line, source.width, [&](int x, int squared) {
+    envelope.sample(line, source.width, [&](int x, std::int64_t squared) {
       if (x < offset || x >= offset + window.width) return;
       out[x - offset] = metres(squared);
     });

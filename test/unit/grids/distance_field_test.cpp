@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 namespace frontier_pilot {
@@ -66,6 +67,26 @@ TEST(DistanceField, AnUpdateOfTheChangedBlockEqualsComputingAnew) {
     field.update(obstacle, changed);
     ASSERT_EQ(field.grid().cells(), grids::DistanceField(obstacle, 0.6).grid().cells());
   }
+}
+
+// [SIM-3] Robots drove through the walls of a world wider than 46,340 cells, the square of which is no 32-bit number.
+TEST(DistanceField, IsExactAtBothEndsOfAWideGrid_SIM_3) {
+  auto obstacle = randomObstacles(50000, 3, 0.0, 0);
+  obstacle[Cell{100, 1}] = 1;
+  obstacle[Cell{49900, 1}] = 1;
+  const grids::DistanceField field(obstacle, 2.0);
+  for (int x = 0; x < obstacle.width(); ++x) {
+    const int cells = std::min(std::abs(x - 100), std::abs(x - 49900));
+    ASSERT_NEAR(field.at(Cell{x, 1}), std::min(cells * obstacle.resolution(), 2.0), 1e-5) << x;
+  }
+}
+
+// [SIM-3]
+TEST(DistanceField, IsExactFarFromTheOnlyObstacleOfAWideGrid_SIM_3) {
+  auto obstacle = randomObstacles(50000, 3, 0.0, 0);
+  obstacle[Cell{0, 1}] = 1;
+  const grids::DistanceField field(obstacle, 1e6);
+  for (int x = 0; x < obstacle.width(); ++x) ASSERT_NEAR(field.at(Cell{x, 1}), x * obstacle.resolution(), 1e-3) << x;
 }
 
 TEST(DistanceField, RefusesAMaximumOfZeroAndAnotherGeometry) {
