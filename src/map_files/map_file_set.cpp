@@ -60,16 +60,18 @@ MapIoResult MapFileSet::compareOctree(const std::string& content) const {
                  "is not the one that " + yaml() + " was written with: length or checksum differs");
 }
 
-bool MapFileSet::isOfAnotherProgram() const {
+bool MapFileSet::namesOctree() const {
   const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
-  if (text.status == FileContent::Status::kMissing) return false;
-  // Reading it as a map image reports what is wrong with it.
-  if (!text.ok()) return true;
   try {
-    return namesNoOctree(text.bytes);
+    return text.ok() && !namesNoOctree(text.bytes);
   } catch (const std::invalid_argument&) {
-    return true;
+    return false;
   }
+}
+
+bool MapFileSet::isOfAnotherProgram() const {
+  // Reading one that cannot be read as a map image reports what is wrong with it.
+  return readFile(yaml(), bounds::kMostYamlBytes).status != FileContent::Status::kMissing && !namesOctree();
 }
 
 std::string MapFileSet::wayOut() const {
@@ -95,6 +97,17 @@ std::optional<MapFileSet::Picture> MapFileSet::otherPicture() const {
     if (match == FileMatch::kAnother) return Picture{picture, "it was edited after the map was saved"};
     if (match == FileMatch::kPrevious) return Picture{picture, "it is that of the save before the last one", false};
   } catch (const std::invalid_argument&) {
+  }
+  return {};
+}
+
+std::optional<std::string> MapFileSet::yamlOfPictureAlone() const {
+  const std::optional<Picture> other = otherPicture();
+  if (!other || !other->counts || !namesOctree()) return {};
+  const std::string rest = withoutOctree(readFile(yaml(), bounds::kMostYamlBytes).bytes);
+  try {
+    if (namesNoOctree(rest)) return rest;
+  } catch (const std::invalid_argument&) {  // somebody has written the entry in another way
   }
   return {};
 }

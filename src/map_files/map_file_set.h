@@ -32,6 +32,8 @@ class MapFileSet {
   /// Whether the .bt, whose content is `octree`, was written with the YAML, if there is one. If that is not certain,
   /// the text says so.
   MapIoResult compareOctree(const std::string& octree) const;
+  /// Whether there is a YAML that can be read and mentions an octree.
+  bool namesOctree() const;
   /// Whether there is a YAML that mentions no octree, as other programs write it, or one that cannot be read. A YAML
   /// that `saveMap` wrote and whose .bt is missing belongs to a damaged map.
   bool isOfAnotherProgram() const;
@@ -47,6 +49,9 @@ class MapFileSet {
   /// another in the YAML, or another program has saved its map under the same name. That of the save before does not:
   /// the last save was not completed, or somebody has put it back.
   std::optional<Picture> otherPicture() const;
+  /// The YAML's text without its entry `octree`, if that is there and the picture counts all the same: with this text
+  /// the picture counts whatever the .bt is.
+  std::optional<std::string> yamlOfPictureAlone() const;
 
  private:
   /// The picture that belongs to the map whose YAML has this text. The YAML of a map that was renamed or copied with

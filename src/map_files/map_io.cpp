@@ -53,27 +53,29 @@ struct MapFile {
   std::string_view content;
 };
 
+using MapFiles = std::array<MapFile*, 3>;
+
 /// Writes all files under temporary names. Fails before anything is replaced if one of them cannot be written.
-MapIoResult prepare(std::array<MapFile, 3>& files) {
-  for (MapFile& file : files) {
+MapIoResult prepare(const MapFiles& files) {
+  for (MapFile* file : files) {
     std::error_code error;
-    if (fs::symlink_status(file.name(), error).type() == fs::file_type::directory)
-      return file.cannot("cannot be written", "it is a directory");
-    const std::string problem = file.file.write(file.content);
-    if (!problem.empty()) return file.cannot("cannot be written", problem);
+    if (fs::symlink_status(file->name(), error).type() == fs::file_type::directory)
+      return file->cannot("cannot be written", "it is a directory");
+    const std::string problem = file->file.write(file->content);
+    if (!problem.empty()) return file->cannot("cannot be written", problem);
   }
   return {};
 }
 
-MapIoResult putInPlace(std::array<MapFile, 3>& files) {
+MapIoResult putInPlace(const MapFiles& files) {
   std::string done;
-  for (MapFile& file : files) {
-    std::string problem = file.file.commit();
+  for (MapFile* file : files) {
+    std::string problem = file->file.commit();
     if (!problem.empty()) {
       problem.append(done.empty() ? "; nothing was replaced" : "; only these were replaced:").append(done);
-      return file.cannot("cannot be put in place", problem);
+      return file->cannot("cannot be put in place", problem);
     }
-    done.append(done.empty() ? " " : ", ").append(file.name());
+    done.append(done.empty() ? " " : ", ").append(file->name());
   }
   return {};
 }
@@ -92,10 +94,10 @@ bool holds(const std::string& path, std::string_view content) {
 }
 
 /// Checks that the files contain what was written.
-MapIoResult readBack(const std::array<MapFile, 3>& files) {
-  for (const MapFile& file : files) {
-    if (!holds(file.name(), file.content))
-      return file.cannot("cannot be read back", "its content is not what was written");
+MapIoResult readBack(const MapFiles& files) {
+  for (const MapFile* file : files) {
+    if (!holds(file->name(), file->content))
+      return file->cannot("cannot be read back", "its content is not what was written");
   }
   return {};
 }
@@ -165,18 +167,30 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
   if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
   // Who holds the lock for longer than this has been stopped, or hangs: its map must not cost this one.
   const FolderLock lock(target.folder(), FolderLock::Kind::kWrite, std::chrono::seconds(10));
-  const std::string yaml = mapYaml(map.geometry, target.name(), {map.octree, previousOctree(target, map.most_bytes)},
-                                   {map.picture, previousPicture(target)});
-  // The YAML is replaced first: it has the checksums of the files that exist and of those that will replace them.
-  std::array<MapFile, 3> files = {MapFile(target.yaml(), yaml, survives),
-                                  MapFile(target.octree(), map.octree, survives),
-                                  MapFile(target.picture(), map.picture, survives)};
-  if (!readsAs(yaml, target.name(), map.octree, map.picture))
-    return files.front().cannot("cannot be written", "it could not be parsed again");
-  for (const auto step : {prepare, putInPlace}) {
-    result = step(files);
-    if (!result.ok()) return result;
+  const std::optional<std::string> previous = previousOctree(target, map.most_bytes);
+  // A map that is loaded from its picture although there is an octree: its YAML is made to name no octree first,
+  // because its picture would not count any more for a YAML that names it as the one to be replaced.
+  const std::optional<std::string> alone = previous ? target.yamlOfPictureAlone() : std::nullopt;
+  const std::string text =
+      mapYaml(map.geometry, target.name(), {map.octree, previous}, {map.picture, previousPicture(target)});
+  MapFile yaml(target.yaml(), text, survives);
+  MapFile octree(target.octree(), map.octree, survives);
+  MapFile picture(target.picture(), map.picture, survives);
+  // The YAML has the checksums of the files that exist and of those that will replace them, so it is replaced first. If
+  // the one that exists names no octree, a new octree does not count yet, and the new YAML must not name one that is
+  // missing or does not count.
+  const bool octree_counts = target.namesOctree() && !alone;
+  const MapFiles files = octree_counts ? MapFiles{&yaml, &octree, &picture} : MapFiles{&octree, &yaml, &picture};
+  if (!readsAs(text, target.name(), map.octree, map.picture))
+    return yaml.cannot("cannot be written", "it could not be parsed again");
+  result = prepare(files);
+  if (!result.ok()) return result;
+  if (alone) {
+    const std::string problem = writeFile(target.yaml(), *alone, survives);
+    if (!problem.empty()) return yaml.cannot("cannot be put in place", problem + "; nothing was replaced");
   }
+  result = putInPlace(files);
+  if (!result.ok()) return result;
   result = readBack(files);
   if (result.ok())
     result.text = "saved " + fs::absolute(target.base()).lexically_normal().string() + ".pgm, .yaml and .bt";

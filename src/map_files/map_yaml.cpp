@@ -95,6 +95,18 @@ std::string savedNameOf(const std::string& yaml) {
   return octree.empty() ? nameIn(map, SavedFile::kPicture, ".pgm") : octree;
 }
 
+std::string withoutOctree(const std::string& yaml) {
+  std::istringstream lines(yaml);
+  std::string rest;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    // An entry goes on in the lines that are indented or blank.
+    inside = line.rfind("octree:", 0) == 0 || (inside && line.find_first_not_of(" \t\r") != 0);
+    if (!inside) rest += line + "\n";
+  }
+  return rest;
+}
+
 bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree, const std::string& picture) {
   try {
     return imageOf(yaml) == name + ".pgm" && savedNameOf(yaml) == name &&

@@ -40,6 +40,9 @@ std::string imageOf(const std::string& yaml);
 /// `yaml` cannot be parsed.
 std::string savedNameOf(const std::string& yaml);
 
+/// `yaml` without its entry about the .bt.
+std::string withoutOctree(const std::string& yaml);
+
 /// Whether parsing `yaml` yields the names and the checksums that `mapYaml` was given.
 bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree, const std::string& picture);
 

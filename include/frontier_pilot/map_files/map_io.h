@@ -39,9 +39,10 @@ MapSnapshot takeSnapshot(const occupancy::OccupancyMap& map);
 
 /// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary format); if `path`
 /// ends in one of these extensions it is ignored. Each file appears complete or not at all, and all are read back
-/// before success is reported. The YAML is replaced first and holds length and checksum of both the new and the
-/// previous .bt, so that at any moment one of the two maps can be loaded. If only some files could be replaced, the
-/// text names them. Saves in one folder, also of other processes, wait for each other, for at most ten seconds. [FLT-1]
+/// before success is reported. At any moment one of the two maps can be loaded: the YAML is replaced before the .bt,
+/// and holds length and checksum of both the new and the previous one; where the previous map is loaded from its
+/// picture, the .bt is replaced before a YAML that names it. If only some files could be replaced, the text names them.
+/// Saves in one folder, also of other processes, wait for each other, for at most ten seconds. [FLT-1]
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives = Survives::kPowerLoss);
 MapIoResult saveMap(const occupancy::OccupancyMap& map, const std::string& path);
 /// The same for a map of which only the cells' classes are known: known cells get the greatest certainty that the
