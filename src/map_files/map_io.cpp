@@ -152,7 +152,10 @@ MapIoResult saveMap(const occupancy::OccupancyMap& map, const std::string& path)
 MapIoResult saveGrid(const OccupancyGrid& grid, const std::string& path) {
   occupancy::OccupancyMapParameters parameters;
   parameters.resolution = grid.resolution();
-  parameters.max_memory = 16000.0;  // [MB]: no limit of its own for a map that is in memory already
+  // No limits of its own for a map that is in memory already; a few cells more for what is reserved around it.
+  parameters.growth_step = grid.resolution();
+  parameters.max_side = (std::max(grid.width(), grid.height()) + 8) * grid.resolution();
+  parameters.max_memory = 16000.0;  // [MB]
   occupancy::OccupancyMap map(parameters);
   if (!draw(grid, map)) return {MapIoStatus::kCannotWrite, "the map is too large"};
   return saveMap(map, path);
