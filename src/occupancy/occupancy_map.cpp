@@ -51,14 +51,15 @@ bool OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
 
 CellRect OccupancyMap::snapped(const CellRect& cells) const {
   const int step = std::max(1, static_cast<int>(std::lround(parameters_.growth_step / parameters_.resolution)));
-  return grids::snap(cells, step);
+  const CellRect block = grids::snap(cells, step);
+  return isAllowed(block) ? block : cells;
 }
 
-bool OccupancyMap::isAllowed(const CellRect& snapped) const {
+bool OccupancyMap::isAllowed(const CellRect& cells) const {
   const int limit = std::min(bounds::kMostSide, static_cast<int>(parameters_.max_side / parameters_.resolution));
-  if (snapped.width > limit || snapped.height > limit) return false;
+  if (cells.width > limit || cells.height > limit) return false;
   constexpr int kHalf = kOctreeHalfSide;
-  return snapped.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == snapped;
+  return cells.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == cells;
 }
 
 bool OccupancyMap::reserveCells(const CellRect& cells) {

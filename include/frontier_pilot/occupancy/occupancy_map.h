@@ -144,8 +144,9 @@ class OccupancyMap {
   /// The part of the box that must stay when the map grows: all of it, or nothing if no cell is known.
   CellRect kept() const;
   CellRect needed(const Vec2& low, const Vec2& high) const;
+  /// The block of whole growth steps around `cells`; `cells` themselves if that would be too large.
   CellRect snapped(const CellRect& cells) const;
-  bool isAllowed(const CellRect& snapped) const;
+  bool isAllowed(const CellRect& cells) const;
   bool reserveCells(const CellRect& cells);
   void resize(const CellRect& cells);
 

@@ -101,6 +101,21 @@ TEST(OccupancyMap, RefusesToGrowBeyondItsLargestSizeAndStaysAsItWas) {
 }
 
 // [MAP-2] change detection
+// [MAP-2] The map grows by 10 m: a box around the robot that is rounded to that is 20 m wide.
+TEST(OccupancyMap, TakesWhatFitsIntoItsLargestSizeThoughNotRounded_MAP_2) {
+  occupancy::OccupancyMapParameters parameters;
+  parameters.max_side = 15.0;
+  occupancy::OccupancyMap map(parameters);
+  ASSERT_TRUE(map.reserve({-5.0, -5.0}, {5.0, 5.0}));
+  hit(map, cellAt(map, 1.0, 1.0));
+  EXPECT_TRUE(map.reserve({-5.0, -7.0}, {5.0, 7.0}));
+  EXPECT_TRUE(map.isOccupied(cellAt(map, 1.0, 1.0)));
+  occupancy::OccupancyMap other(parameters);
+  ASSERT_TRUE(other.reserve({-1.0, -7.0}, {1.0, 7.0}));
+  EXPECT_TRUE(map.hasRoomFor(other));
+  EXPECT_FALSE(map.reserve({-5.0, -8.0}, {5.0, 8.0}));
+}
+
 TEST(OccupancyMap, TellsWhichBlockOfValuesChanged_MAP_2) {
   occupancy::OccupancyMap map = smallMap();
   EXPECT_TRUE(map.takeChanges().geometry_changed);
