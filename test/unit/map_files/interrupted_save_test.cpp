@@ -65,8 +65,12 @@ class InterruptedSave : public ::testing::Test {
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
+  /// The disk is not waited for: these processes die, and the computer goes on.
+  map_files::MapIoResult tryToSave(const occupancy::OccupancyMap& map) const {
+    return map_files::saveMap(map_files::takeSnapshot(map), path("floor"), Survives::kProcessDeath);
+  }
   void save(const occupancy::OccupancyMap& map) const {
-    const map_files::MapIoResult saved = map_files::saveMap(map, path("floor"));
+    const map_files::MapIoResult saved = tryToSave(map);
     ASSERT_TRUE(saved.ok()) << saved.text;
   }
   /// Saves `before_`, and leaves the picture as somebody does who erases a wall of it.
@@ -89,7 +93,7 @@ class InterruptedSave : public ::testing::Test {
       for (const char* name : {"floor.yaml", "floor.bt", "floor.pgm"}) std::filesystem::remove(path(name));
       prepare();
       renames_left = renames;
-      complete = map_files::saveMap(now_, path("floor")).ok();
+      complete = tryToSave(now_).ok();
       renames_left = kAll;
       occupancy::OccupancyMap loaded;
       const map_files::MapIoResult result = map_files::loadMap(path("floor"), loaded);
@@ -142,7 +146,7 @@ TEST_F(InterruptedSave, LeavesAWholeMapWhereTheSaveBeforeWasInterruptedToo_FLT_1
     expectAWholeMapWhereverItEnds([this, first] {
       editPicture();
       renames_left = first;
-      map_files::saveMap(now_, path("floor"));
+      tryToSave(now_);
       renames_left = kAll;
     });
   }
@@ -154,7 +158,7 @@ TEST_F(InterruptedSave, ChangesNothingIfItsFilesCannotBeWritten_MAP_5) {
   const std::string yaml = read("floor.yaml");
   std::filesystem::remove(path("floor.bt"));
   std::filesystem::create_directory(path("floor.bt"));
-  EXPECT_EQ(map_files::saveMap(now_, path("floor")).status, map_files::MapIoStatus::kCannotWrite);
+  EXPECT_EQ(tryToSave(now_).status, map_files::MapIoStatus::kCannotWrite);
   EXPECT_EQ(read("floor.yaml"), yaml);
 }
 
