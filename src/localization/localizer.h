@@ -28,6 +28,8 @@ class Localizer {
   /// Whether the robot has been found.
   bool isLocated() const { return !sought_; }
   const Pose2& T_map_odom() const { return T_map_odom_; }
+  /// See ScanTracker::withoutErrors.
+  Pose2 withoutErrors(const Pose2& motion) const { return tracker_.withoutErrors(motion); }
 
  private:
   slam::MatchVerdict find(const surfaces::SurfacePoints& points, const Pose2& T_odom_base);

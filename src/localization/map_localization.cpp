@@ -76,6 +76,10 @@ slam::CorrectedScan MapLocalization::correct(const surfaces::SurfaceScan& scan, 
   return corrected;
 }
 
+Pose2 MapLocalization::withoutErrors(const Pose2& motion) const {
+  return impl_->T_map_odom ? impl_->continuation->withoutErrors(motion) : impl_->localizer.withoutErrors(motion);
+}
+
 slam::RevisionWork MapLocalization::takeWork() {
   return impl_->continuation ? impl_->continuation->takeWork() : slam::RevisionWork();
 }

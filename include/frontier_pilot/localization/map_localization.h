@@ -78,6 +78,7 @@ class MapLocalization final : public slam::PoseCorrection {
 
   slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                               const occupancy::OccupancyMap& map) override;
+  Pose2 withoutErrors(const Pose2& motion) const override;
   slam::RevisionWork takeWork() override;
   bool accept(const slam::MapRevision& revision) override;
   bool refuse(const slam::MapRevision& revision) override;
