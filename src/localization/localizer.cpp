@@ -39,12 +39,13 @@ scan_matching::SearchRequest requestFor(const scan_matching::PoseWithCovariance&
 }  // namespace
 
 Localizer::Localizer(const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
-                     const scan_matching::PoseWithCovariance& T_map_base)
+                     const scan_matching::PoseWithCovariance& T_map_base, const std::optional<Pose2>& T_odom_base)
     : parameters_(parameters.local),
       surface_parameters_(parameters.surface),
       map_(parameters_.likelihood),
       tracker_(withoutEnd(parameters_.tracker)),
-      sought_(T_map_base) {
+      sought_(T_map_base),
+      T_odom_sought_(T_odom_base) {
   map_.add(surfaces::surfaceOf(map), Pose2());
   if (map_.empty()) return;
   pyramid_.emplace(map_.field(), scan_matching::pyramidTop(tracker_.usualWindow(), parameters_.likelihood.resolution));

@@ -15,9 +15,10 @@ namespace frontier_pilot::localization {
 /// three standard deviations of that determines the pose. [MAP-5]
 class Localizer {
  public:
-  /// `map` may be empty: then no scan ever fits.
+  /// `map` may be empty: then no scan ever fits. `T_map_base` is the pose where odometry has the robot at
+  /// `T_odom_base`; if that is not known, at the first scan.
   Localizer(const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
-            const scan_matching::PoseWithCovariance& T_map_base);
+            const scan_matching::PoseWithCovariance& T_map_base, const std::optional<Pose2>& T_odom_base);
 
   /// `scan`, newer than the last one, was taken at `T_odom_base`. Until the robot is found the verdict says
   /// why it was not.
@@ -41,7 +42,8 @@ class Localizer {
   std::optional<scan_matching::MaxPyramid> wide_pyramid_;  ///< for the wide search, until the robot is found
   slam::ScanTracker tracker_;
   std::optional<scan_matching::PoseWithCovariance> sought_;  ///< the given T_map_base; none once the robot is found
-  std::optional<Pose2> T_odom_sought_;  ///< T_odom_base at the first scan: taken to belong to `sought_`
+  std::optional<Pose2> T_odom_sought_;  ///< the T_odom_base that belongs to `sought_`; without a given one none until
+                                        ///< the first scan
   Pose2 T_map_odom_;
 };
 

@@ -37,8 +37,8 @@ const char* textOf(slam::MatchVerdict verdict) {
 
 struct MapLocalization::Impl {
   Impl(Use use_of_map, const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
-       const scan_matching::PoseWithCovariance& T_map_base)
-      : use(use_of_map), localizer(parameters, map, T_map_base) {}
+       const scan_matching::PoseWithCovariance& T_map_base, const std::optional<Pose2>& T_odom_base)
+      : use(use_of_map), localizer(parameters, map, T_map_base, T_odom_base) {}
 
   Use use;
   Localizer localizer;
@@ -50,8 +50,9 @@ struct MapLocalization::Impl {
 
 MapLocalization::MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                                  const occupancy::ScanInsertionParameters& insertion,
-                                 const scan_matching::PoseWithCovariance& T_map_base)
-    : impl_(std::make_unique<Impl>(use, parameters, map.projection(), T_map_base)) {
+                                 const scan_matching::PoseWithCovariance& T_map_base,
+                                 const std::optional<Pose2>& T_odom_base)
+    : impl_(std::make_unique<Impl>(use, parameters, map.projection(), T_map_base, T_odom_base)) {
   if (use == Use::kTrustOdometry) impl_->continuation = std::make_unique<TrustedOdometry>();
   if (use == Use::kGoOnMapping)
     impl_->continuation = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));

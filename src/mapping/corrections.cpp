@@ -19,15 +19,17 @@ bool canBeKnown(const occupancy::OccupancyMap& map) {
 }
 
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
-                                               const scan_matching::PoseWithCovariance& T_map_base) {
+                                               const scan_matching::PoseWithCovariance& T_map_base,
+                                               const std::optional<Pose2>& T_odom_base) {
   auto use = parameters.trust_odometry ? localization::MapLocalization::Use::kTrustOdometry
                                        : localization::MapLocalization::Use::kGoOnMapping;
   if (parameters.localize_only) use = localization::MapLocalization::Use::kLocalizeOnly;
-  return std::make_unique<localization::MapLocalization>(use, parameters.slam, map, parameters.insertion, T_map_base);
+  return std::make_unique<localization::MapLocalization>(use, parameters.slam, map, parameters.insertion, T_map_base,
+                                                         T_odom_base);
 }
 
 std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map) {
-  if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()));
+  if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()), std::nullopt);
   if (parameters.trust_odometry) return std::make_unique<localization::TrustedOdometry>();
   return std::make_unique<slam::GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
@@ -18,10 +19,11 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose);
 /// borders between its walls and free space.
 bool canBeKnown(const occupancy::OccupancyMap& map);
 
-/// The corrector that the parameters determine for a robot at about `T_map_base` in a known map. Keeps no reference to
-/// `map`.
+/// The corrector that the parameters determine for a robot at about `T_map_base` in a known map, where odometry has it
+/// at `T_odom_base`; if that is not known, at the first scan. Keeps no reference to `map`.
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
-                                               const scan_matching::PoseWithCovariance& T_map_base);
+                                               const scan_matching::PoseWithCovariance& T_map_base,
+                                               const std::optional<Pose2>& T_odom_base);
 
 /// The corrector that the parameters determine at the start, when `map` is still empty.
 std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map);

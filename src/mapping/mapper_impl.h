@@ -37,8 +37,9 @@ struct Mapper::Impl {
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
   bool isTooLarge(const slam::MapRevision& revision) const;
   bool refuse(slam::MapRevision& revision);
-  /// From now on the map is known, and the robot is looked for around `T_map_base`.
-  void lookFor(const scan_matching::PoseWithCovariance& T_map_base);
+  /// From now on the map is known, and the robot is looked for around `T_map_base`, and from there on by odometry since
+  /// `T_odom_base`; if that is not known, since the first scan.
+  void lookFor(const scan_matching::PoseWithCovariance& T_map_base, const std::optional<Pose2>& T_odom_base);
   void replace(std::unique_ptr<slam::PoseCorrection> corrector);
   void forgetEarlierPoses();
 

@@ -1,16 +1,22 @@
+#include <optional>
 #include <utility>
 
 #include "mapping/corrections.h"
 #include "mapping/mapper_impl.h"
 
 namespace frontier_pilot::mapping {
+namespace {
+
+bool canBeFoundOn(const occupancy::OccupancyMap& map) { return map.hasOccupied() && canBeKnown(map); }
+
+}  // namespace
 
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
   if (!canBeKnown(loaded)) return false;
   impl_->map.replaceBy(loaded);
   ++impl_->generation;
-  const Pose2 T_odom_base = impl_->last ? impl_->last->pose : Pose2();
-  impl_->lookFor(beliefOf(impl_->T_map_odom * T_odom_base));
+  const std::optional<Pose2> T_odom_base = impl_->last ? std::make_optional(impl_->last->pose) : std::nullopt;
+  impl_->lookFor(beliefOf(impl_->T_map_odom * T_odom_base.value_or(Pose2())), T_odom_base);
   return true;
 }
 
@@ -21,13 +27,13 @@ bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const
   impl_->map.replaceBy(map);
   ++impl_->generation;
   impl_->T_map_odom = T_map_odom;
-  if (!trusted) impl_->lookFor(beliefOf(T_map_odom * T_odom_base));
+  if (!trusted) impl_->lookFor(beliefOf(T_map_odom * T_odom_base), T_odom_base);
   return true;
 }
 
 bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
-  if (!map().hasOccupied() || !canBeKnown(map())) return false;
-  impl_->lookFor(T_map_base);
+  if (!canBeFoundOn(map())) return false;
+  impl_->lookFor(T_map_base, std::nullopt);
   return true;
 }
 
@@ -36,14 +42,16 @@ std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& sto
 }
 
 bool Mapper::locate(const RobotSearch& search) {
-  if (!search.found() || search.generation != impl_->generation || !impl_->last) return false;
+  if (!search.found() || search.generation != impl_->generation || !impl_->last || !canBeFoundOn(map())) return false;
   const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
   const Eigen::Vector3d sigma(0.1, 0.1, 0.05);  // [m, m, rad]
-  return locate({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()});
+  impl_->lookFor({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()}, impl_->last->pose);
+  return true;
 }
 
-void Mapper::Impl::lookFor(const scan_matching::PoseWithCovariance& T_map_base) {
-  replace(knownMap(parameters, map, T_map_base));
+void Mapper::Impl::lookFor(const scan_matching::PoseWithCovariance& T_map_base,
+                           const std::optional<Pose2>& T_odom_base) {
+  replace(knownMap(parameters, map, T_map_base, T_odom_base));
   localization.lookFor(map.hasOccupied());
 }
 

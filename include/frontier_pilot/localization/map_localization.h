@@ -68,10 +68,12 @@ class MapLocalization final : public slam::PoseCorrection {
     kTrustOdometry,  ///< odometry is taken for the truth from the pose at which the robot was found
   };
 
-  /// `map` is the known map; revised maps get its parameters. `T_map_base` is a rough estimate of the robot's pose.
+  /// `map` is the known map; revised maps get its parameters. `T_map_base` is a rough estimate of the robot's pose
+  /// where odometry has it at `T_odom_base`; if that is not known, at the first scan.
   MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                   const occupancy::ScanInsertionParameters& insertion,
-                  const scan_matching::PoseWithCovariance& T_map_base);
+                  const scan_matching::PoseWithCovariance& T_map_base,
+                  const std::optional<Pose2>& T_odom_base = std::nullopt);
   ~MapLocalization() override;
   MapLocalization(const MapLocalization&) = delete;
   MapLocalization& operator=(const MapLocalization&) = delete;
