@@ -249,6 +249,8 @@ std::string describe(const WholeMapSearch& search) {
       return "found the robot at " + toText(search.best);
     case SearchVerdict::kNoMap:
       return "refused: there is no map to look on";
+    case SearchVerdict::kTooLarge:
+      return "refused: the map is too large to be searched, see docs/limits.md";
     case SearchVerdict::kTooFew:
       return "refused: there is no scan yet, or it has too few returns";
     case SearchVerdict::kFitsNowhere:

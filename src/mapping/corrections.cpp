@@ -1,5 +1,7 @@
 #include "mapping/corrections.h"
 
+#include <algorithm>
+
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/localization/map_localization.h"
 #include "frontier_pilot/slam/graph_slam.h"
@@ -13,8 +15,10 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose) {
   return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
 }
 
-bool canBeKnown(const occupancy::OccupancyMap& map) {
-  return map.geometry().size() <= bounds::kMostMapCells &&
+bool canBeKnown(const occupancy::OccupancyMap& map, const MapperParameters& parameters) {
+  const GridGeometry& box = map.geometry();
+  const double finer = std::max(1.0, box.resolution / parameters.slam.local.likelihood.resolution);
+  return static_cast<double>(box.size()) * square(finer) <= static_cast<double>(bounds::kMostMapCells) &&
          surfaces::surfaceSize(map.projection()) <= bounds::kMostSurfacePoints;
 }
 

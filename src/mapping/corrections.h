@@ -15,9 +15,10 @@ namespace frontier_pilot::mapping {
 /// An uncertain `pose` of the robot, with standard deviations of 0.5 m and 0.25 rad.
 scan_matching::PoseWithCovariance beliefOf(const Pose2& pose);
 
-/// Whether the robot may be localised in `map`, which keeps dense grids over its box, of up to 11 bytes a cell, and all
-/// borders between its walls and free space.
-bool canBeKnown(const occupancy::OccupancyMap& map);
+/// Whether the robot may be localised in `map`, which keeps dense grids over its box, of up to 11 bytes for each of the
+/// map's cells or of those that scans are matched in, whichever are smaller, and all borders between its walls and free
+/// space.
+bool canBeKnown(const occupancy::OccupancyMap& map, const MapperParameters& parameters);
 
 /// The corrector that the parameters determine for a robot at about `T_map_base` in a known map, where odometry has it
 /// at `T_odom_base`; if that is not known, at the first scan. Keeps no reference to `map`.

@@ -1,18 +1,13 @@
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "mapping/corrections.h"
 #include "mapping/mapper_impl.h"
 
 namespace frontier_pilot::mapping {
-namespace {
-
-bool canBeFoundOn(const occupancy::OccupancyMap& map) { return map.hasOccupied() && canBeKnown(map); }
-
-}  // namespace
-
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
-  if (!canBeKnown(loaded)) return false;
+  if (!canBeKnown(loaded, impl_->parameters)) return false;
   impl_->map.replaceBy(loaded);
   ++impl_->generation;
   const std::optional<Pose2> T_odom_base = impl_->last ? std::make_optional(impl_->last->pose) : std::nullopt;
@@ -23,7 +18,7 @@ bool Mapper::load(occupancy::OccupancyMap& loaded) {
 bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
   // If odometry has been trusted since the first scan, it still is.
   const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
-  if (!trusted && !canBeKnown(map)) return false;
+  if (!trusted && !canBeKnown(map, impl_->parameters)) return false;
   impl_->map.replaceBy(map);
   ++impl_->generation;
   impl_->T_map_odom = T_map_odom;
@@ -31,18 +26,28 @@ bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const
   return true;
 }
 
+std::string Mapper::whyNotFound() const {
+  if (!map().hasOccupied()) return "the map has no occupied cell yet, so the robot cannot be found in it";
+  if (!canBeKnown(map(), impl_->parameters))
+    return "the map is too large for the robot to be found in it, see docs/limits.md";
+  return {};
+}
+
 bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
-  if (!canBeFoundOn(map())) return false;
+  if (!whyNotFound().empty()) return false;
   impl_->lookFor(T_map_base, std::nullopt);
   return true;
 }
 
 std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& stop) const {
+  if (!canBeKnown(map(), impl_->parameters))
+    return [] { return RobotSearch{{localization::SearchVerdict::kTooLarge, {}, {}}, {}, 0}; };
   return impl_->recent.searchOn(map().projection(), impl_->generation, impl_->parameters.slam, stop);
 }
 
 bool Mapper::locate(const RobotSearch& search) {
-  if (!search.found() || search.generation != impl_->generation || !impl_->last || !canBeFoundOn(map())) return false;
+  const bool is_void = search.generation != impl_->generation || !impl_->last;
+  if (!search.found() || is_void || !whyNotFound().empty()) return false;
   const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
   const Eigen::Vector3d sigma(0.1, 0.1, 0.05);  // [m, m, rad]
   impl_->lookFor({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()}, impl_->last->pose);

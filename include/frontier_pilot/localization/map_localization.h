@@ -31,6 +31,7 @@ struct Place {
 enum class SearchVerdict {
   kFound,        ///< the scans fit at `best`, and nowhere else nearly as well
   kNoMap,        ///< the map has no surface
+  kTooLarge,     ///< the map would take too much memory to be searched
   kTooFew,       ///< there is no scan, or too few returns
   kFitsNowhere,  ///< the scans fit nowhere on the map
   kAmbiguous,    ///< they fit at `best` and at `rival` nearly alike

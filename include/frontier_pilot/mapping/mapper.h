@@ -125,8 +125,11 @@ class Mapper {
   /// does nothing, when the map would be too large.
   bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
   /// Takes the present map as known; the following scans look for the robot around `T_map_base`. Returns false, and
-  /// does nothing, when the map has no occupied cell.
+  /// does nothing, when it cannot be found there, see `whyNotFound`.
   bool locate(const scan_matching::PoseWithCovariance& T_map_base);
+
+  /// Why the robot cannot be found on the present map, for the operator; empty if it can.
+  std::string whyNotFound() const;
 
   /// Work for another thread: looks for the robot all over the present map, by the scans of the last metres, until
   /// `stop` is true, which it then has to stay.

@@ -16,7 +16,8 @@ namespace {
 std::string goOnFrom(const mapping::RobotSearch& search, mapping::Mapper& mapper) {
   if (mapper.locate(search)) return {};
   if (search.generation != mapper.generation()) return "the map was replaced or corrected meanwhile; call again";
-  return "the clock was set back meanwhile, or the map has grown too large";
+  const std::string why = mapper.whyNotFound();
+  return why.empty() ? "the clock was set back meanwhile" : why;
 }
 
 }  // namespace

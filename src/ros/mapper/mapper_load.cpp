@@ -99,9 +99,7 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   // From there the transform to odom, which is another pose, could lie beyond the bound on coordinates.
   if (!bounds::isWithin(pose->position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate / 2))
     return bad_initial_poses_.add("farther than 500 km from the map's origin");
-  if (!mapper_.locate({*pose, *covariance})) {
-    return bad_initial_poses_.add("the map has no occupied cell yet, so the robot cannot be found in it");
-  }
+  if (!mapper_.locate({*pose, *covariance})) return bad_initial_poses_.add(mapper_.whyNotFound());
   looked_for_ = true;
   THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
 }
