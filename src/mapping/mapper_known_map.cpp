@@ -15,9 +15,11 @@ bool Mapper::load(occupancy::OccupancyMap& loaded) {
   return true;
 }
 
-bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
+bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base,
+                    bool was_localized) {
   // If odometry has been trusted since the first scan, it still is.
-  const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
+  const bool trusted =
+      impl_->parameters.trust_odometry && !impl_->parameters.localize_only && was_localized && T_map_odom == Pose2();
   if (!trusted && !canBeKnown(map, impl_->parameters)) return false;
   impl_->map.replaceBy(map);
   ++impl_->generation;

@@ -121,9 +121,10 @@ class Mapper {
   /// covers both would be too large.
   bool load(occupancy::OccupancyMap& loaded);
   /// Continues with an earlier map, in which the odometry frame was at `T_map_odom`; odometry now has the robot at
-  /// `T_odom_base`. On a map without walls the robot is not looked for, and counts as being there. Returns false, and
-  /// does nothing, when the map would be too large.
-  bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
+  /// `T_odom_base`. The following scans look for the robot there, unless odometry is trusted and `was_localized`:
+  /// whether the mapper that left the map had the robot localised. On a map without walls the robot is not looked for,
+  /// and counts as being there. Returns false, and does nothing, when the map would be too large.
+  bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base, bool was_localized);
   /// Takes the present map as known; the following scans look for the robot around `T_map_base`. Returns false, and
   /// does nothing, when it cannot be found there, see `whyNotFound`.
   bool locate(const scan_matching::PoseWithCovariance& T_map_base);

@@ -135,6 +135,7 @@ std::string renew(const std::vector<fs::path>& poses) {
 namespace frontier_pilot {
 namespace {
 
+constexpr const char* kLocalized = "localized";
 constexpr const char* kMapFile = " map_file:=";
 constexpr std::size_t kLongestPath = 4096;  // [bytes], which is that of Linux
 
@@ -152,6 +153,7 @@ std::string toText(const KeptPose& pose) {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10) << T_map_odom.x << ' ' << T_map_odom.y << ' '
        << T_map_odom.yaw;
+  if (pose.localized) text << ' ' << kLocalized;
   if (pose.map_file) text << kMapFile << *pose.map_file;
   return text.str();
 }
@@ -163,6 +165,8 @@ std::optional<KeptPose> toKeptPose(const std::string& text) {
   if (!(in >> pose.x >> pose.y >> pose.yaw)) return std::nullopt;
   const bool has_place = problemOfPlace(pose.x, pose.y, 0.0).empty();
   if (!has_place || !bounds::isWithin(pose.yaw, 2.0 * kPi)) return std::nullopt;
+  std::string word;
+  kept.localized = in >> word && word == kLocalized;
   const std::size_t at = text.find(kMapFile);
   if (at != text.npos) kept.map_file = text.substr(at + std::string(kMapFile).size());
   return kept;

@@ -37,6 +37,8 @@ struct KeptPose {
   Pose2 T_map_odom;
   /// The map that its mapper began with, as `mapFileName` tells it; nothing in a copy that an earlier version left.
   std::optional<std::string> map_file;
+  /// Whether the robot was there, as far as scans could tell; false in a copy that an earlier version left.
+  bool localized = false;
 };
 
 /// The parameter `map_file` as a whole path that can stand in a line; empty if there is none.

@@ -88,15 +88,15 @@ std::string MapAutosave::putAside() {
   return lost;
 }
 
-std::optional<Pose2> MapAutosave::restore(occupancy::OccupancyMap& map) const {
+std::optional<KeptPose> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   const std::optional<fs::path> base = find();
   if (!base && memory_.recallAll().empty()) return std::nullopt;
-  const std::optional<KeptPose> pose = recall();
+  std::optional<KeptPose> pose = recall();
   if (!pose) throw std::runtime_error("the pose that was saved with it cannot be read");
   if (!base) throw std::runtime_error("its files are gone" + keptBefore());
   const map_files::MapIoResult result = map_files::loadMap(base->string(), map);
   if (!result.ok()) throw std::runtime_error(result.text);
-  return pose->T_map_odom;
+  return pose;
 }
 
 /// Where an earlier map is that was put aside, and that nobody has confirmed to be lost.
@@ -108,19 +108,19 @@ std::string MapAutosave::keptBefore() const {
   return {};
 }
 
-void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, MapContent has, MapSaver& saver) {
+void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, MapSaver& saver) {
   const SteadyTime now = steadyNow();
   const std::uint64_t content = has.scans + has.rendered;
   noteMapping(content, now);
-  remember(T_map_odom, has.rendered);
+  remember(pose, has.rendered);
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   ended_ = std::make_shared<std::atomic<bool>>(false);
-  saver.run([snapshot = map_files::takeSnapshot(map), pose = toText({T_map_odom, map_file_}), memory = memory_,
-             wanted = wanted_, done = done_, ended = ended_, rendered = has.rendered] {
+  saver.run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, wanted = wanted_,
+             done = done_, ended = ended_, rendered = has.rendered] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
-      std::string why = *wanted ? frontier_pilot::save(snapshot, pose, memory, *wanted) : std::string();
+      std::string why = *wanted ? frontier_pilot::save(snapshot, text, memory, *wanted) : std::string();
       if (*wanted) return why;
       discard(memory);  // its files may have been removed while they were read back, which is no problem
       return std::string();
@@ -132,7 +132,7 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, Ma
   schedule_.begin(content, now);
 }
 
-void MapAutosave::remember(const Pose2& T_map_odom, std::uint64_t rendered) {
+void MapAutosave::remember(const MapPose& pose, std::uint64_t rendered) {
   if (auto done = done_->take()) {
     problem_ = std::move(done->problem);
     schedule_.end(problem_.empty(), done->at, done->took);
@@ -143,7 +143,7 @@ void MapAutosave::remember(const Pose2& T_map_odom, std::uint64_t rendered) {
   if (!schedule_.hasCopy()) {
     pose_problem_.clear();
   } else if (rendered == rendered_) {
-    pose_problem_ = memory_.remember(toText({T_map_odom, map_file_}));
+    pose_problem_ = memory_.remember(textOf(pose));
   } else {
     pose_problem_ = onDisk([poses = memory_.files()] { return kept_map::renew(poses); });
   }

@@ -26,6 +26,12 @@ struct MapContent {
   std::uint64_t rendered;  ///< how often it was rendered again, after which the robot is elsewhere on it
 };
 
+/// Where odometry is on a map, and whether the robot is there, as far as scans can tell.
+struct MapPose {
+  Pose2 T_map_odom;
+  bool localized = false;
+};
+
 /// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
 /// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
 /// At most three maps of earlier sessions are kept. [FLT-2]
@@ -40,18 +46,18 @@ class MapAutosave {
   /// Moves the copy that is there to the folder `lost` (`kept_map::setAside`), and forgets its pose. Returns its new
   /// base; empty if it could not be moved.
   std::string putAside();
-  /// Reads the map of a mapper that died and returns its T_map_odom; nothing if there is none. Throws
+  /// Reads the map of a mapper that died and returns its pose; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
-  std::optional<Pose2> restore(occupancy::OccupancyMap& map) const;
+  std::optional<KeptPose> restore(occupancy::OccupancyMap& map) const;
   /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`has` counts its changes),
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
-  void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, MapContent has, MapSaver& saver);
+  void save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, MapSaver& saver);
   /// Whether the save that was begun last has not ended yet.
   bool isSaving() const { return ended_ && !*ended_; }
-  /// Keeps `T_map_odom` beside the copy that there is, without saving the map. If the map was rendered again since, the
+  /// Keeps `pose` beside the copy that there is, without saving the map. If the map was rendered again since, the
   /// pose of the copy stays as it is, as that of a mapper that lives.
-  void remember(const Pose2& T_map_odom, std::uint64_t rendered);
+  void remember(const MapPose& pose, std::uint64_t rendered);
   /// Removes the copy, because the map was reset or the mapper is shut down regularly. The next map is saved whatever
   /// its `content`, and as soon as it can be.
   void forget();
@@ -84,6 +90,7 @@ class MapAutosave {
   /// What is remembered beside the copy; nothing if it cannot be read.
   std::optional<KeptPose> recall() const;
   std::string keptBefore() const;
+  std::string textOf(const MapPose& pose) const { return toText({pose.T_map_odom, map_file_, pose.localized}); }
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   const std::string map_file_;

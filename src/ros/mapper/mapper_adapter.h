@@ -50,7 +50,7 @@ class MapperAdapter {
   };
   struct Restored {
     occupancy::OccupancyMap map;
-    Pose2 T_map_odom;
+    KeptPose pose;
   };
 
   void connect();
@@ -76,6 +76,7 @@ class MapperAdapter {
   void putAside(const std::string& other_map_file);
   void resume(const Pose2& T_odom_base);
   void autosave();
+  void rememberPose();
   void awaitAutosave();
   void sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base);
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);

@@ -101,16 +101,18 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
     return bad_initial_poses_.add("farther than 500 km from the map's origin");
   if (!mapper_.locate({*pose, *covariance})) return bad_initial_poses_.add(mapper_.whyNotFound());
   looked_for_ = true;
+  rememberPose();
   THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
 }
 
 /// Once after each time that the robot had to be looked for on a known map.
 void MapperAdapter::sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base) {
   using mapping::ScanVerdict;
-  if (verdict == ScanVerdict::kNotLocated) looked_for_ = true;
+  const bool is_lost = verdict == ScanVerdict::kNotLocated;
+  if (is_lost && !std::exchange(looked_for_, true)) rememberPose();  // so that a respawned mapper looks for it as well
   const bool fits = verdict == ScanVerdict::kInserted || verdict == ScanVerdict::kLocalized;
   if (!fits || !std::exchange(looked_for_, false)) return;
-  autosave_.remember(T_map_odom(), mapper_.revisions().rendered);
+  rememberPose();
   THROTTLED_INFO("localised: the robot is at " << std::fixed << std::setprecision(2) << T_map_base.x << ", "
                                                << T_map_base.y << ", " << std::setprecision(0)
                                                << T_map_base.yaw * 180.0 / kPi << " deg on the map");

@@ -62,7 +62,7 @@ void MapperAdapter::noteOdometryReset() {
                                        << (parameters_.mapper.trust_odometry
                                                ? " s: odometry is trusted, so the robot jumps in the map as well"
                                                : " s: taken for a reset, the robot stays where it is in the map"));
-  autosave_.remember(T_map_odom(), mapper_.revisions().rendered);
+  rememberPose();
   broadcast();
 }
 

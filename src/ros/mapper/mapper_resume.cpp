@@ -7,11 +7,11 @@
 namespace frontier_pilot {
 
 void MapperAdapter::restore() {
-  Restored restored{occupancy::OccupancyMap(parameters_.mapper.map), Pose2()};
+  Restored restored{occupancy::OccupancyMap(parameters_.mapper.map), {}};
   try {
-    const std::optional<Pose2> T_map_odom = autosave_.restore(restored.map);
-    if (!T_map_odom) return;
-    restored.T_map_odom = *T_map_odom;
+    const std::optional<KeptPose> pose = autosave_.restore(restored.map);
+    if (!pose) return;
+    restored.pose = *pose;
     restored_.emplace(std::move(restored));
   } catch (const std::exception& error) {
     autosave_.lose(error.what());
@@ -35,7 +35,8 @@ void MapperAdapter::putAside(const std::string& other_map_file) {
 /// Continues with that map, once the first odometry message has come.
 void MapperAdapter::resume(const Pose2& T_odom_base) {
   if (!restored_) return;
-  if (mapper_.resume(restored_->map, restored_->T_map_odom, T_odom_base)) {
+  const KeptPose& pose = restored_->pose;
+  if (mapper_.resume(restored_->map, pose.T_map_odom, T_odom_base, pose.localized)) {
     ROS_WARN("continuing with the map that the mapper had when it died");
   } else {
     autosave_.lose("it is too large");
@@ -44,13 +45,17 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
   restored_.reset();
 }
 
+void MapperAdapter::rememberPose() {
+  autosave_.remember({T_map_odom(), mapper_.isLocalized()}, mapper_.revisions().rendered);
+}
+
 void MapperAdapter::autosave() {
   if (parameters_.autosave_period == 0.0) return;
   if (const auto session = session_.take()) autosave_.enter(*session);
   if (restored_) return;  // the copy that is there is worth more than what the mapper has until it continues with it
   const std::string before = autosave_.problem();
   const MapContent content{mapper_.counts()[mapping::ScanVerdict::kInserted], mapper_.revisions().rendered};
-  autosave_.save(mapper_.map(), T_map_odom(), content, saver_);
+  autosave_.save(mapper_.map(), {T_map_odom(), mapper_.isLocalized()}, content, saver_);
   if (autosave_.problem().empty() || autosave_.problem() == before) return;
   THROTTLED_WARN("the map would not survive this node: " << autosave_.problem());
 }

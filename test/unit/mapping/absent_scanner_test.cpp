@@ -37,7 +37,7 @@ class AbsentScanner : public ::testing::Test {
 TEST_F(AbsentScanner, OfAMapperThatDiedHasTheRobotLookedForWhereItHasDrivenSince_FLT_2_MAP_5) {
   mapping::Mapper mapper;
   occupancy::OccupancyMap kept = knownMapOf(world);
-  ASSERT_TRUE(mapper.resume(kept, T_map_odom, T_odom_base));
+  ASSERT_TRUE(mapper.resume(kept, T_map_odom, T_odom_base, true));
   T_odom_base.x += 2.5;
   scan(mapper);
   expectFound(mapper);
@@ -47,7 +47,7 @@ TEST_F(AbsentScanner, OfAMapperThatDiedHasTheRobotLookedForWhereItHasDrivenSince
 TEST_F(AbsentScanner, HasTheRobotLookedForOnALoadedMapWhereItHasDrivenSinceItsLastScan_MAP_5) {
   mapping::Mapper mapper;
   occupancy::OccupancyMap rooms = knownMapOf(world);
-  ASSERT_TRUE(mapper.resume(rooms, T_map_odom, T_odom_base));
+  ASSERT_TRUE(mapper.resume(rooms, T_map_odom, T_odom_base, true));
   scan(mapper);
   expectFound(mapper);
   occupancy::OccupancyMap loaded = knownMapOf(world);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/localization/map_localization.h"
@@ -101,6 +102,24 @@ TEST_P(CarriedRobot, GoesOnMappingFromWhereTheSearchOfItsMapHasFoundIt_MAP_5) {
   EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   const Pose2 T_world_base = T_world_odom * T_odom_base;
   EXPECT_FALSE(isJump(T_world_base, start * mapper.T_map_odom() * T_odom_base, 0.1, 0.05));
+}
+
+// [MAP-5] [FLT-2]
+TEST_P(CarriedRobot, IsNotLocalisedByAMapperThatTakesOverFromOneThatDiedMeanwhile_MAP_5_FLT_2) {
+  const Pose2 T_world_base = T_world_odom * T_odom_base;
+  carryTo(elsewhere);
+  stand(20);
+  mapping::Mapper died = std::exchange(mapper, mapping::Mapper(parameters()));
+  ASSERT_TRUE(mapper.resume(died.map(), died.T_map_odom(), T_odom_base, died.isLocalized()));
+  EXPECT_FALSE(mapper.isLocalized());
+  stand(20);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
+  EXPECT_FALSE(mapper.isLocalized());
+  EXPECT_EQ(inserted(), 0U);
+  carryTo(T_world_base);
+  stand(5);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
+  EXPECT_TRUE(mapper.isLocalized());
 }
 
 // [MAP-5]

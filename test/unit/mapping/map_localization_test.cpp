@@ -223,7 +223,7 @@ TEST_F(MapLocalizationTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseT
   };
   const auto before = known(first);
   mapping::Mapper second;
-  ASSERT_TRUE(second.resume(kept, first.T_map_odom(), T_odom_base));
+  ASSERT_TRUE(second.resume(kept, first.T_map_odom(), T_odom_base, true));
   EXPECT_GE(known(second), before) << "[FLT-2]";
   goOn(second);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
@@ -241,7 +241,7 @@ TEST_F(MapLocalizationTest, AMapperThatDiedBeforeItSawAnyWallGoesOnMapping_FLT_2
     drive(first, {1.0, 1.0, 0.0}, {2.0, 1.0, 0.0});
     ASSERT_TRUE(verdict == mapping::ScanVerdict::kInserted && !first.map().hasOccupied());
     mapping::Mapper second(parameters);
-    ASSERT_TRUE(second.resume(first.map(), Pose2(0.5, 0.0, 0.0), T_odom_base)) << "another frame than odometry's";
+    ASSERT_TRUE(second.resume(first.map(), Pose2(0.5, 0.0, 0.0), T_odom_base, true)) << "another frame than odometry's";
     goOn(second);
     EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
     scanner = Scanner(world.solid(), 0.01);
@@ -261,9 +261,9 @@ TEST(KnownMap, WhoseBoxIsTooLargeToLocaliseInIsRefusedAsAWhole_FLT_2) {
   occupancy::OccupancyMap large(parameters.map);
   ASSERT_TRUE(large.reserve({-250.0, -250.0}, {250.0, 250.0})) << "a hundred million cells of 5 cm";
   EXPECT_FALSE(mapper.load(large));
-  EXPECT_FALSE(mapper.resume(large, Pose2(1.0, 0.0, 0.0), Pose2()));
+  EXPECT_FALSE(mapper.resume(large, Pose2(1.0, 0.0, 0.0), Pose2(), true));
   EXPECT_LT(mapper.map().geometry().size(), large.geometry().size()) << "the map is as it was";
-  EXPECT_TRUE(mapper.resume(large, Pose2(), Pose2())) << "odometry is trusted, nobody localises";
+  EXPECT_TRUE(mapper.resume(large, Pose2(), Pose2(), true)) << "odometry is trusted, nobody localises";
 }
 
 // [MAP-5]

@@ -207,7 +207,7 @@ TEST_F(LostMapper, TakesOverNothingFromASearchOfAMapThatAnotherHasReplacedSince_
   EXPECT_FALSE(mapper.locate(work()));
   occupancy::OccupancyMap third = roomsOf(world);
   const auto second_work = mapper.searchWork();
-  ASSERT_TRUE(mapper.resume(third, Pose2(), T_odom_base));
+  ASSERT_TRUE(mapper.resume(third, Pose2(), T_odom_base, true));
   drive(1);
   EXPECT_FALSE(mapper.locate(second_work()));
 }

@@ -13,19 +13,26 @@ namespace {
 // [FLT-2]
 TEST(KeptPose, IsReadBackExactlyWithTheFileThatItsMapperBeganWith_FLT_2) {
   for (const std::string file : {"", "/maps/floor", "/maps/with a space", "/maps/x map_file:=y"}) {
-    const auto kept = toKeptPose(toText({Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1), file}));
-    ASSERT_TRUE(kept);
-    EXPECT_EQ(kept->T_map_odom, Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1));
-    EXPECT_EQ(kept->map_file, file);
+    for (const bool localized : {false, true}) {
+      const auto kept = toKeptPose(toText({Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1), file, localized}));
+      ASSERT_TRUE(kept);
+      EXPECT_EQ(kept->T_map_odom, Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1));
+      EXPECT_EQ(kept->map_file, file);
+      EXPECT_EQ(kept->localized, localized);
+    }
   }
 }
 
-// [FLT-2]
-TEST(KeptPose, OfAnEarlierVersionNamesNoFile_FLT_2) {
+// [FLT-2] [MAP-5]
+TEST(KeptPose, OfAnEarlierVersionIsOneAroundWhichTheRobotIsLookedFor_FLT_2_MAP_5) {
   const auto kept = toKeptPose("1 2 0.5");
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->T_map_odom, Pose2(1.0, 2.0, 0.5));
-  EXPECT_FALSE(kept->map_file);
+  EXPECT_FALSE(kept->map_file || kept->localized);
+  const auto with_file = toKeptPose("1 2 0.5 map_file:=/maps/ localized");
+  ASSERT_TRUE(with_file);
+  EXPECT_EQ(with_file->map_file, "/maps/ localized");
+  EXPECT_FALSE(with_file->localized);
 }
 
 // [FLT-2]
