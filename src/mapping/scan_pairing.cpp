@@ -1,5 +1,6 @@
 #include "frontier_pilot/mapping/scan_pairing.h"
 
+#include <cstdint>
 #include <deque>
 #include <utility>
 
@@ -26,6 +27,15 @@ ScanPairing::ScanPairing(const ScanPairingParameters& parameters) : impl_(std::m
 ScanPairing::~ScanPairing() = default;
 
 void ScanPairing::addOdometry(Time stamp, const Pose2& T_odom_base) { impl_->odometry.add(stamp, T_odom_base); }
+
+bool ScanPairing::addOdometry(Time stamp, const Pose2& T_odom_base, OdometryAnchor& anchor) {
+  const std::uint64_t resets = anchor.resets();
+  const std::optional<Pose2> T_smooth_base = anchor.follow(stamp, T_odom_base);
+  if (!T_smooth_base) return false;
+  if (anchor.resets() != resets && anchor.followsJumps()) impl_->odometry.clear();
+  addOdometry(stamp, *T_smooth_base);
+  return true;
+}
 
 void ScanPairing::addScan(LaserScan2 scan) { impl_->waiting.push_back(std::move(scan)); }
 

@@ -18,6 +18,9 @@ namespace frontier_pilot::mapping {
 /// the stamps.
 class OdometryAnchor {
  public:
+  /// What is wrong with a message that is withheld.
+  static constexpr const char* kWithheld = "farther from the last message than a robot can drive in that time";
+
   /// A jump of odometry, and the time between the stamps before and after it.
   struct Jump {
     double distance = 0.0;  ///< [m]
@@ -31,6 +34,8 @@ class OdometryAnchor {
   std::optional<Pose2> follow(Time stamp, const Pose2& T_odom_base);
   /// The pose of the odometry frame in the frame without jumps; changes with each reset of untrusted odometry.
   const Pose2& T_smooth_odom() const { return T_smooth_odom_; }
+  /// Whether jumps are real and followed.
+  bool followsJumps() const { return parameters_.trusted; }
   /// How often odometry has jumped for good, trusted or not.
   std::uint64_t resets() const { return resets_; }
   const Jump& lastJump() const { return last_jump_; }

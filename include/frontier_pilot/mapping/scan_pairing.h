@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/mapping/odometry_anchor.h"
 #include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
@@ -26,6 +27,10 @@ class ScanPairing {
 
   /// A stamp that is older than the last one means that the clock was set back: earlier odometry is forgotten.
   void addOdometry(Time stamp, const Pose2& T_odom_base);
+  /// The same without the jumps that `anchor` recognises; returns false if it withholds this message. If the robot
+  /// itself has jumped, it was nowhere between the poses before and after that: earlier odometry is forgotten, and
+  /// scans from before get none. [MAP-4]
+  bool addOdometry(Time stamp, const Pose2& T_odom_base, OdometryAnchor& anchor);
   void addScan(LaserScan2 scan);
   /// The oldest scan, once its odometry is there or is not waited for any longer (it has waited too long, too many
   /// wait, or its stamp is too far ahead); call until there is none.

@@ -33,10 +33,9 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   if (isAhead(odometry->stamp, *now)) return bad_odometry_.add("stamp too far in the future");
   resume(odometry->T_odom_base);
   const std::uint64_t resets = anchor_.resets();
-  const auto T_smooth_base = anchor_.follow(odometry->stamp, odometry->T_odom_base);
-  if (!T_smooth_base) return bad_odometry_.add("farther from the last message than a robot can drive in that time");
+  if (!pairing_.addOdometry(odometry->stamp, odometry->T_odom_base, anchor_))
+    return bad_odometry_.add(mapping::OdometryAnchor::kWithheld);
   if (anchor_.resets() != resets) noteOdometryReset();
-  pairing_.addOdometry(odometry->stamp, *T_smooth_base);
   insertPaired();
 }
 

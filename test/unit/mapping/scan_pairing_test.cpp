@@ -116,5 +116,34 @@ TEST(ScanPairing, WaitsForTheLastBeamOfARollingScanAndPairsItAtItsMiddle_SCN_1) 
   EXPECT_NEAR(paired->scan.mount(200).x, 0.1, 1e-6);
 }
 
+/// What a scan at 1.45 s gets whose robot is at `x` = 1 m until odometry jumps to 5 m, at 1.4 s.
+std::optional<Pose2> inTheMidstOfAJump(bool trusted) {
+  mapping::ScanPairing pairing;
+  mapping::OdometryAnchorParameters parameters;
+  parameters.trusted = trusted;
+  mapping::OdometryAnchor anchor(parameters);
+  int withheld = 0;
+  for (int i = 0; i < 10; ++i) {
+    const double seconds = 1.0 + 0.1 * i;
+    withheld += pairing.addOdometry(timeFromSeconds(seconds), {i < 4 ? 1.0 : 5.0, 0.0, 0.0}, anchor) ? 0 : 1;
+  }
+  EXPECT_EQ(withheld, 2) << "the jump was not confirmed yet";
+  EXPECT_EQ(anchor.resets(), 1U);
+  pairing.addScan(scanAt(1.45));
+  const auto paired = pairing.next(timeFromSeconds(2.0));
+  EXPECT_TRUE(paired);
+  return paired ? paired->T_odom_base : std::nullopt;
+}
+
+// [MAP-4]
+TEST(ScanPairing, HasNoOdometryForAScanFromTheMidstOfAJumpThatTheRobotMakes_MAP_4) {
+  EXPECT_FALSE(inTheMidstOfAJump(true)) << "such as half way, where it never was";
+}
+
+// [FLT-1]
+TEST(ScanPairing, GoesOnFromThePoseOfBeforeWhereOdometryAloneHasJumped_FLT_1) {
+  EXPECT_EQ(inTheMidstOfAJump(false), Pose2(1.0, 0.0, 0.0));
+}
+
 }  // namespace
 }  // namespace frontier_pilot
