@@ -52,6 +52,10 @@ class BagReading {
     collect(Time::max());
   }
   logs::ScanLog result() {
+    if (anchor_.resets() > 0)
+      log_.notes.push_back("jumps of odometry: " + std::to_string(anchor_.resets()) +
+                           ", taken for restarts of the base's driver: the robot has stayed "
+                           "where it was");
     if (!timing_.problem().empty()) log_.notes.push_back(timing_.problem());
     if (other_mapper_ > 0)
       log_.notes.push_back("left out: " + std::to_string(other_mapper_) + " recorded transforms to " + odom_frame_ +
@@ -87,7 +91,8 @@ class BagReading {
     const auto odometry = toOdometry(*msg, &why);
     if (!odometry) return reject("odometry " + why);
     latest_ = odometry->stamp;
-    pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
+    if (!pairing_.addOdometry(odometry->stamp, odometry->T_odom_base, anchor_))
+      reject(std::string("odometry ") + mapping::OdometryAnchor::kWithheld);
   }
   void begin(const nav_msgs::Odometry& first) {
     odom_frame_ = plain(first.header.frame_id);
@@ -130,6 +135,7 @@ class BagReading {
 
   tools::BagTopics topics_;
   tf2::BufferCore tf_;
+  mapping::OdometryAnchor anchor_;
   mapping::ScanPairing pairing_;
   BeamTiming timing_{ScannerModel()};
   Time latest_{};                                     ///< stamp of the latest odometry so far

@@ -9,9 +9,9 @@
 
 namespace frontier_pilot {
 
-/// Reads the scans of a rosbag, each with the odometry at its stamp, as the mapper does: messages that the mapper would
-/// drop are left out and counted in the notes. The scanner's mount comes from the bag's TF. No master is needed. Throws
-/// a LogError if the bag cannot be read or contains no usable scan.
+/// Reads the scans of a rosbag, each with the odometry at its stamp and without its jumps, as the mapper does: messages
+/// that the mapper would drop are left out and counted in the notes. The scanner's mount comes from the bag's TF. No
+/// master is needed. Throws a LogError if the bag cannot be read or contains no usable scan.
 logs::ScanLog readBagLog(const std::string& path, const tools::BagTopics& topics);
 
 /// Limits of the process that reads a bag.

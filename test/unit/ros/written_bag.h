@@ -32,12 +32,13 @@ class BagLog : public ::testing::Test {
     bag_.open(path_, rosbag::bagmode::Write);
   }
 
-  void writeOdometry(double seconds, const std::string& base = "") {
+  void writeOdometry(double seconds, const std::string& base = "") { writeOdometryAt(seconds, seconds - 100.0, base); }
+  void writeOdometryAt(double seconds, double x, const std::string& base = "") {
     nav_msgs::Odometry msg;
     msg.header.stamp = ros::Time(seconds);
     msg.header.frame_id = "odom";
     msg.child_frame_id = base;
-    msg.pose.pose.position.x = seconds - 100.0;
+    msg.pose.pose.position.x = x;
     msg.pose.pose.orientation.w = 1.0;
     bag_.write("/odom", msg.header.stamp, msg);
   }
