@@ -44,9 +44,18 @@ std::ifstream openFile(const std::string& path) {
   return file;
 }
 
+/// Throws std::invalid_argument if the scanner is described, which a rosbag does itself.
+void requireNoScanner(const logs::LogScanner& given) {
+  if (given.range_max || given.field_of_view || given.T_base_sensor)
+    throw std::invalid_argument(
+        "--range, --fov and --mount are not for a rosbag: its scans say their range and field of view, and its "
+        "transforms where the scanner sits on the base");
+}
+
 logs::ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
   std::ifstream file = openFile(options.log);
   const bool is_bag = read_bag && logs::formatOf(file) == logs::LogFormat::kRosbag;
+  if (is_bag) requireNoScanner(options.scanner);
   logs::ScanLog log =
       is_bag ? read_bag(options.log, options.topics) : logs::readScanLog(file, options.log, options.scanner);
   logs::requireOneDrive(log, options.log);

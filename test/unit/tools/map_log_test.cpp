@@ -230,6 +230,20 @@ TEST_F(MapLog, ReplacesLinksAndReadsFilesOnly_FLT_1) {
   EXPECT_EQ(run({folder_.string(), "--out", path("map")}), 1);
 }
 
+TEST_F(MapLog, RefusesToDescribeTheScannerOfARosbagWhichDoesSoItself) {
+  std::ofstream(path("drive.bag")) << "#ROSBAG V2.0\n";
+  const tools::BagReader reader = [](const std::string&, const tools::BagTopics&) -> logs::ScanLog {
+    throw logs::LogError("the bag was read");
+  };
+  for (const std::vector<std::string>& scanner :
+       {std::vector<std::string>{"--range", "8"}, {"--fov", "180"}, {"--mount", "0", "0", "0"}}) {
+    std::vector<std::string> words{path("drive.bag"), "--out", path("map")};
+    words.insert(words.end(), scanner.begin(), scanner.end());
+    EXPECT_EQ(run(words, reader), 2) << scanner.front();
+    EXPECT_NE(errors_.find("are not for a rosbag"), std::string::npos) << errors_;
+  }
+}
+
 TEST_F(MapLog, HandsARosbagToItsReader) {
   std::ofstream(path("drive.bag")) << "#ROSBAG V2.0\n";
   EXPECT_EQ(run({path("drive.bag"), "--out", path("map")}), 1);
