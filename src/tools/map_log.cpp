@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/map_files/map_io.h"
@@ -44,20 +45,24 @@ std::ifstream openFile(const std::string& path) {
   return file;
 }
 
-/// Throws std::invalid_argument if the scanner is described, which a rosbag does itself.
-void requireNoScanner(const logs::LogScanner& given) {
-  if (given.range_max || given.field_of_view || given.T_base_sensor)
+/// The log of a rosbag, which says itself where its scanner sits and looks. Throws std::invalid_argument if that is
+/// given.
+logs::ScanLog readBag(const MapLogOptions& options, const BagReader& read_bag) {
+  const logs::LogScanner& given = options.scanner;
+  if (given.field_of_view || given.T_base_sensor)
     throw std::invalid_argument(
-        "--range, --fov and --mount are not for a rosbag: its scans say their range and field of view, and its "
-        "transforms where the scanner sits on the base");
+        "--fov and --mount are not for a rosbag: its scans say their field of view, and its transforms where the "
+        "scanner sits on the base");
+  logs::ScanLog log = read_bag(options.log, options.topics);
+  if (!given.range_max) return log;
+  for (logs::ScanRecord& record : log.records) record.scan.range_max = std::min(*given.range_max, bounds::kUsedRange);
+  return log;
 }
 
 logs::ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
   std::ifstream file = openFile(options.log);
   const bool is_bag = read_bag && logs::formatOf(file) == logs::LogFormat::kRosbag;
-  if (is_bag) requireNoScanner(options.scanner);
-  logs::ScanLog log =
-      is_bag ? read_bag(options.log, options.topics) : logs::readScanLog(file, options.log, options.scanner);
+  logs::ScanLog log = is_bag ? readBag(options, read_bag) : logs::readScanLog(file, options.log, options.scanner);
   logs::requireOneDrive(log, options.log);
   return log;
 }

@@ -94,8 +94,8 @@ ranges from right to left), a CARMEN log (FLASER or ROBOTLASER1) or a rosbag.
   --range METRES       longer ranges are no returns (as the log says; CSV, FLASER: 80)
   --fov DEGREES        field of view, where the log does not say (180)
   --mount X Y YAW      where the scanner sits on the base [m m rad] (as the log
-                       says; CSV: 0.78 0 0). A rosbag says these three itself:
-                       with one of them it is refused
+                       says; CSV: 0.78 0 0). A rosbag says this and the field of
+                       view itself: with one of them it is refused
   --scan TOPIC, --odom TOPIC, --base FRAME
                        of a rosbag (it chooses the topics, and says which where
                        there are several; base_footprint)

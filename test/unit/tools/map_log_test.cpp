@@ -236,12 +236,29 @@ TEST_F(MapLog, RefusesToDescribeTheScannerOfARosbagWhichDoesSoItself) {
     throw logs::LogError("the bag was read");
   };
   for (const std::vector<std::string>& scanner :
-       {std::vector<std::string>{"--range", "8"}, {"--fov", "180"}, {"--mount", "0", "0", "0"}}) {
+       {std::vector<std::string>{"--fov", "180"}, {"--mount", "0", "0", "0"}}) {
     std::vector<std::string> words{path("drive.bag"), "--out", path("map")};
     words.insert(words.end(), scanner.begin(), scanner.end());
     EXPECT_EQ(run(words, reader), 2) << scanner.front();
     EXPECT_NE(errors_.find("are not for a rosbag"), std::string::npos) << errors_;
   }
+}
+
+TEST_F(MapLog, TakesLongerRangesThanTheGivenOneForNoReturnsAlsoInARosbag) {
+  std::ofstream(path("drive.bag")) << "#ROSBAG V2.0\n";
+  const tools::BagReader reader = [this](const std::string&, const tools::BagTopics&) {
+    std::ifstream drive(path("drive.csv"));
+    return logs::readScanLog(drive, "drive.csv", {Pose2(), {}, {}});
+  };
+  const auto wall = [this](const std::vector<std::string>& range) {
+    std::vector<std::string> words{path("drive.bag"), "--out", path("map")};
+    words.insert(words.end(), range.begin(), range.end());
+    EXPECT_EQ(run(words, reader), 0) << errors_;
+    const OccupancyGrid map = sim::loadWorld(path("map.yaml")).map;
+    return map.get(map.geometry().cellAt({1.5, 1.02}), kUnknown);
+  };
+  EXPECT_EQ(wall({}), kOccupied);
+  EXPECT_NE(wall({"--range", "0.8"}), kOccupied);
 }
 
 TEST_F(MapLog, HandsARosbagToItsReader) {
