@@ -55,7 +55,7 @@ logs::ScanLog readBag(const MapLogOptions& options, const BagReader& read_bag) {
         "scanner sits on the base");
   logs::ScanLog log = read_bag(options.log, options.topics);
   if (!given.range_max) return log;
-  for (logs::ScanRecord& record : log.records) record.scan.range_max = std::min(*given.range_max, bounds::kUsedRange);
+  for (logs::LogRecord& record : log.records) record.scan.range_max = std::min(*given.range_max, bounds::kUsedRange);
   return log;
 }
 

@@ -250,7 +250,7 @@ TEST_F(MapLog, TakesLongerRangesThanTheGivenOneForNoReturnsAlsoInARosbag) {
     std::ifstream drive(path("drive.csv"));
     return logs::readScanLog(drive, "drive.csv", {Pose2(), {}, {}});
   };
-  const auto wall = [this](const std::vector<std::string>& range) {
+  const auto wall = [&](const std::vector<std::string>& range) {
     std::vector<std::string> words{path("drive.bag"), "--out", path("map")};
     words.insert(words.end(), range.begin(), range.end());
     EXPECT_EQ(run(words, reader), 0) << errors_;
