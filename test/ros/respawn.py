@@ -33,11 +33,11 @@ class Respawn(unittest.TestCase):
         self.addCleanup(node.end)
         return node
 
-    def started_again(self, executable, number=signal.SIGKILL):
+    def started_again(self, executable, number=signal.SIGKILL, *arguments):
         """The node is ended by that signal and started again, as roslaunch does with respawn."""
         self.node.signal(number)
         self.node.finish()
-        self.node = self.start(executable)
+        self.node = self.start(executable, *arguments)
 
     # [FLT-2]
     def test_a_node_is_started_again_although_another_process_has_the_port_of_the_one_that_was_killed(self):
@@ -194,10 +194,10 @@ class Respawn(unittest.TestCase):
                                     '{goal: {goal: {x: 3.0, y: 0.15, z: 1.0}}}'], stdout=subprocess.DEVNULL)
         self.addCleanup(latcher.wait)
         self.addCleanup(latcher.kill)
-        self.node = self.start('patrol_server')
+        self.node = self.start('patrol_server', '__name:=another_server')
         self.assertTrue(wait_for(lambda: 'patrol requested' in self.node.said()), 'the first one has not had it')
         latcher.send_signal(signal.SIGSTOP)
-        self.started_again('patrol_server')
+        self.started_again('patrol_server', signal.SIGKILL, '__name:=another_server')
         self.assertTrue(wait_for(lambda: 'but this node is not connected to it' in self.node.said(), 15.0), self.node.said())
         latcher.send_signal(signal.SIGCONT)
         self.assertTrue(wait_for(lambda: 'is ignored: it was published before' in self.node.said()), self.node.said())
