@@ -25,9 +25,9 @@ const char* textOf(slam::MatchVerdict verdict) {
     case slam::MatchVerdict::kPoor:
     case slam::MatchVerdict::kKidnapped:
     case slam::MatchVerdict::kLost:
-      return "not localised: the scan fits nowhere on the map here: give a pose, or call localize";
+      return "not localised: the scan fits nowhere on the map here; give a pose, or call mapper/localize";
     case slam::MatchVerdict::kAmbiguous:
-      return "not localised: several places on the map here look alike, give a pose";
+      return "not localised: several places on the map here look alike; drive on, or give a pose";
     default:
       return toString(verdict);
   }

@@ -67,8 +67,8 @@ MapIoResult prepare(const MapFiles& files) {
   return {};
 }
 
-MapIoResult putInPlace(const MapFiles& files) {
-  std::string done;
+/// `done` names what has been replaced before.
+MapIoResult putInPlace(const MapFiles& files, std::string done) {
   for (MapFile* file : files) {
     std::string problem = file->file.commit();
     if (!problem.empty()) {
@@ -192,7 +192,7 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
     const std::string problem = writeFile(target.yaml(), *alone, survives);
     if (!problem.empty()) return yaml.cannot("cannot be put in place", problem + "; nothing was replaced");
   }
-  result = putInPlace(files);
+  result = putInPlace(files, alone ? " the entry octree in " + target.yaml() : "");
   if (!result.ok()) return result;
   result = readBack(files);
   if (result.ok())

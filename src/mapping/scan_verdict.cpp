@@ -29,7 +29,7 @@ const char* toString(ScanVerdict verdict) {
     case ScanVerdict::kMisfit:
       return "fits nowhere";
     case ScanVerdict::kNotLocated:
-      return "not localised: the scan fits nowhere on the map here: give a pose, or call localize";
+      return "not localised: the scan fits nowhere on the map here; give a pose, or call mapper/localize";
     case ScanVerdict::kBlind:
       return "sees none of the walls around, as a covered or failed scanner";
   }

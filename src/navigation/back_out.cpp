@@ -1,7 +1,6 @@
 #include "navigation/back_out.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -15,12 +14,11 @@ constexpr double kMostBearing = 0.8;  ///< of the target from straight behind [r
 constexpr double kMostTurn = 0.8;     ///< between two places of the way; beyond it the robot turned on the spot [rad]
 constexpr double kSpacing = 0.02;     ///< of different places [m]
 constexpr double kCheckEvery = 0.1;   ///< a path is looked for [m]
-constexpr std::array<double, 3> kSpeeds = {1.0, 0.5, 0.25};  ///< with little room behind, shares of the full speed
-constexpr double kPoseStep = 0.1;                            ///< between two of them [s]
-constexpr double kNoise = 0.003;   ///< by which the distance from the scan may shrink from pose to pose [m]
-constexpr double kNearest = 0.01;  ///< that the outline with its margin may reach beyond a scan point [m]
-constexpr double kPatience = 1.0;  ///< with an obstacle in the way [s]
-constexpr double kProgress = 0.1;  ///< that it has to move within the time that is allowed [m]
+constexpr double kPoseStep = 0.1;     ///< between two of them [s]
+constexpr double kNoise = 0.003;      ///< by which the distance from the scan may shrink from pose to pose [m]
+constexpr double kNearest = 0.01;     ///< that the outline with its margin may reach beyond a scan point [m]
+constexpr double kPatience = 1.0;     ///< with an obstacle in the way [s]
+constexpr double kProgress = 0.1;     ///< that it has to move within the time that is allowed [m]
 
 }  // namespace
 
@@ -103,7 +101,7 @@ RecoveryStep BackOut::update(const RecoveryInputs& in, Time now) {
   const double speed = std::min(params_.back_up_speed, limits_.max_linear);
   const double curvature = 2.0 * behind->y() / behind->squaredNorm();
   const double rate = std::clamp(-speed * curvature, -limits_.max_angular, limits_.max_angular);
-  for (const double share : kSpeeds) {
+  for (const double share : kSpeedsOfRecovery) {
     const Twist2 command{-share * speed, share * rate};
     if (!isFree(command, in)) continue;
     blocked_since_.reset();

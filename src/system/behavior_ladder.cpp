@@ -37,13 +37,14 @@ behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navi
   constexpr int kParts = 8;
   constexpr double kReserve = 0.02;  // [m]: later scans may show less room than this one
   behavior::BehaviorGoal part = goal;
-  for (const double share : {1.0, 0.5, 0.25}) {
+  for (const double share : navigation::kSpeedsOfRecovery) {
     part.speed = share * goal.speed;
     const behavior::LookAhead look = lookAround(in, outline, last.runOn(part.speed) + kReserve);
     for (int i = kParts; i > 1; --i) {
       part.target = goal.target * i / kParts;
       if (look(in.T_map_base, {axis, sign * part.target}) == behavior::SweepResult::kClear) return part;
     }
+    if (axis == behavior::AxisMotion::Axis::kTurn) break;  // whose room does not depend on the speed
   }
   return part;
 }

@@ -16,7 +16,6 @@
 #include <string_view>
 #include <utility>
 
-#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/map_files/map_io.h"
@@ -55,7 +54,7 @@ logs::ScanLog readBag(const MapLogOptions& options, const BagReader& read_bag) {
         "scanner sits on the base");
   logs::ScanLog log = read_bag(options.log, options.topics);
   if (!given.range_max) return log;
-  for (logs::LogRecord& record : log.records) record.scan.range_max = std::min(*given.range_max, bounds::kUsedRange);
+  for (logs::LogRecord& record : log.records) record.scan.range_max = std::min(record.scan.range_max, *given.range_max);
   return log;
 }
 

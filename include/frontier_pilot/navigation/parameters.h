@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
@@ -63,6 +65,10 @@ struct WatchdogParams {
             "a robot that stays within the oscillation distance for this long is oscillating", timeSpan());
   }
 };
+
+/// The speeds of backing up, as shares of the full one, which are tried in turn: with little room behind a slower robot
+/// may still move, because its last command needs less.
+constexpr std::array<double, 3> kSpeedsOfRecovery = {1.0, 0.5, 0.25};
 
 /// Motions of the recoveries.
 struct RecoveryParams {

@@ -29,8 +29,8 @@ struct LastCommand {
 };
 
 /// The goal, shortened in eighths until it is free, but not below a quarter: there may be room for a part of the motion
-/// only, and that may be enough. Where a quarter is not free either, it is slower, so that a last command needs less
-/// room: by half, or else by three quarters. A line leaves 2 cm for scans that show less room later.
+/// only, and that may be enough. Where a quarter of a line is not free either, it is slower, so that a last command
+/// needs less room (`kSpeedsOfRecovery`). A line leaves 2 cm for scans that show less room later.
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
                                   const Outline& outline, const LastCommand& last);
 

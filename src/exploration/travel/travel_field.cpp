@@ -41,6 +41,11 @@ class SuccessorTable {
 
 constexpr SuccessorTable kSuccessors;
 
+/// The steps of a search for the end of a way: each costs one, and none leads onto an obstacle or off the map.
+auto overFreeCells(const OccupancyGrid& map) {
+  return [&map](Cell, Cell next) { return map.contains(next) && !isOccupied(map[next]) ? 1.0 : -1.0; };
+}
+
 }  // namespace
 
 void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius) {
@@ -106,9 +111,8 @@ void TravelField::spread(const Grid<std::uint8_t>& neighbours, std::uint32_t far
 std::optional<Cell> TravelField::nearestReached(const OccupancyGrid& map, Cell place, double radius) const {
   std::optional<Cell> nearest;
   const auto is_end = [&](Cell cell) { return nearest || reached(cell); };
-  const auto step_cost = [&](Cell, Cell next) { return map.contains(next) && !isOccupied(map[next]) ? 1.0 : -1.0; };
   grids::ExitSearch(place, static_cast<int>(radius / map.resolution()))
-      .run(false, is_end, step_cost, [&](Cell cell, double) { nearest = nearest.value_or(cell); });
+      .run(false, is_end, overFreeCells(map), [&](Cell cell, double) { nearest = nearest.value_or(cell); });
   return nearest;
 }
 
@@ -157,8 +161,7 @@ void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, 
                              static_cast<int>((kBuckets - kDiagonal - 1) / kDiagonal));
   grids::ExitSearch(start, reach)
       .run(
-          false, [&](Cell cell) { return space.traversable(cell); },
-          [&](Cell, Cell next) { return map.contains(next) && !isOccupied(map[next]) ? 1.0 : -1.0; },
+          false, [&](Cell cell) { return space.traversable(cell); }, overFreeCells(map),
           [&](Cell cell, double steps) {
             push(map.geometry().index(cell), kNoDirection, static_cast<std::uint32_t>(steps) * kDiagonal);
           });

@@ -98,13 +98,6 @@ void removeFiles(const fs::path& base) {
   for (const char* ending : kEndings) fs::remove(base.string() + ending, ignored);
 }
 
-void removeWithoutWaiting(const std::vector<fs::path>& bases) {
-  onDisk([bases] {
-    std::for_each(bases.begin(), bases.end(), removeFiles);
-    return std::string();
-  });
-}
-
 void removeOldest(const fs::path& own) {
   removeUnfinished(own);
   const std::vector<fs::path> maps = olderMaps(own);

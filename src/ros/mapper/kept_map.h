@@ -14,8 +14,6 @@ namespace frontier_pilot::kept_map {
 /// Whether at least one of its files is there.
 bool exists(const std::filesystem::path& base);
 void removeFiles(const std::filesystem::path& base);
-/// Removes the files of these maps; a disk that hangs is not waited for, see `onDisk`.
-void removeWithoutWaiting(const std::vector<std::filesystem::path>& bases);
 /// Removes the maps that the same node has left in other sessions, but for the three newest and that of a mapper which
 /// runs, and files that were left unfinished more than ten minutes ago.
 void removeOldest(const std::filesystem::path& own);

@@ -175,21 +175,10 @@ void MapAutosave::supersede() {
 }
 
 void MapAutosave::forget() {
-  withdraw();
-  memory_.forget();
-  kept_map::removeWithoutWaiting(memory_.files());
-}
-
-void MapAutosave::end() {
-  withdraw();
-  discard(memory_);
-}
-
-/// The copy that is being saved is not wanted any more.
-void MapAutosave::withdraw() {
   supersede();
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
+  discard(memory_);
 }
 
 void MapAutosave::enter(const std::vector<std::string>& sessions) {

@@ -58,11 +58,9 @@ class MapAutosave {
   /// Keeps `pose` beside the copy that there is, without saving the map. If the map was rendered again since, the
   /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const MapPose& pose, std::uint64_t rendered);
-  /// Removes the copy, because the map was reset, and waits for no disk that hangs. The next map is saved whatever its
-  /// `content`, and as soon as it can be.
+  /// Removes the copy, because the map was reset or the mapper is shut down regularly. The next map is saved whatever
+  /// its `content`, and as soon as it can be.
   void forget();
-  /// Removes the copy, because the mapper is shut down regularly, however long that takes.
-  void end();
   /// The same, because another map was loaded; but the copy stays until that map replaces it, so that a mapper which
   /// dies meanwhile leaves one of the two.
   void supersede();
@@ -92,7 +90,6 @@ class MapAutosave {
   /// What is remembered beside the copy; nothing if it cannot be read.
   std::optional<KeptPose> recall() const;
   std::string keptBefore() const;
-  void withdraw();
   std::string textOf(const MapPose& pose) const { return toText({pose.T_map_odom, map_file_, pose.localized}); }
   void noteMapping(std::uint64_t content, SteadyTime now);
 

@@ -37,7 +37,7 @@ class MapperAdapter {
   ~MapperAdapter() { saver_.close(), searcher_.close(); }
   /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map.
   void sayLastWords() {
-    if (!restored_) autosave_.end();  // nobody has continued with the copy that is there
+    if (!restored_) autosave_.forget();  // nobody has continued with the copy that is there
   }
   MapperAdapter(const MapperAdapter&) = delete;
   MapperAdapter& operator=(const MapperAdapter&) = delete;

@@ -93,8 +93,11 @@ class InterruptedSave : public ::testing::Test {
       for (const char* name : {"floor.yaml", "floor.bt", "floor.pgm"}) std::filesystem::remove(path(name));
       prepare();
       renames_left = renames;
-      complete = tryToSave(now_).ok();
+      const map_files::MapIoResult saved = tryToSave(now_);
+      complete = saved.ok();
       renames_left = kAll;
+      const bool says_nothing = saved.text.find("nothing was replaced") != std::string::npos;
+      EXPECT_EQ(says_nothing, renames == 0) << "after " << renames << " files: " << saved.text;
       occupancy::OccupancyMap loaded;
       const map_files::MapIoResult result = map_files::loadMap(path("floor"), loaded);
       ASSERT_TRUE(result.ok()) << "after " << renames << " files: " << result.text;

@@ -2,6 +2,7 @@
 
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/mapping/mapper.h"
+#include "known_rooms.h"
 #include "support/ascii_world.h"
 #include "support/drives/drive.h"
 #include "unlike_rooms.h"
@@ -94,21 +95,8 @@ TEST(WholeMapSearch, IsRepeatable_MAP_5) {
 class LostMapper : public ::testing::Test {
  protected:
   LostMapper() : world(drawWorld(kUnlikeRooms, 0.2)), scanner(world.solid(), 0.01), mapper(localizing()) {
-    occupancy::OccupancyMap rooms = roomsOf(world);
+    occupancy::OccupancyMap rooms = test::knownMapOf(world);
     EXPECT_TRUE(mapper.load(rooms));
-  }
-  static occupancy::OccupancyMap roomsOf(const AsciiWorld& world) {
-    occupancy::OccupancyMap rooms(mapping::MapperParameters{}.map);
-    const OccupancyGrid map = fineMapOf(world);
-    EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.05 * Vec2(map.width(), map.height())));
-    for (int certainty = 0; certainty < 10; ++certainty) {
-      rooms.beginScan();
-      for (std::size_t i = 0; i < map.size(); ++i) {
-        const Cell cell = rooms.geometry().cellAt(map.geometry().centre(map.geometry().cell(i)));
-        map[i] == kOccupied ? rooms.hit(cell) : rooms.miss(cell);
-      }
-    }
-    return rooms;
   }
   static mapping::MapperParameters localizing() {
     mapping::MapperParameters parameters;
@@ -139,7 +127,7 @@ TEST_F(LostMapper, SaysThatItNeedsAPose_MAP_5) {
   mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});  // where it is not
   drive(20);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
-  const char* expected = "not localised: the scan fits nowhere on the map here: give a pose, or call localize";
+  const char* expected = "not localised: the scan fits nowhere on the map here; give a pose, or call mapper/localize";
   EXPECT_STREQ(toString(verdict), expected);
   const auto remark = mapper.remark(timeFromSeconds(seconds));
   ASSERT_TRUE(remark);
@@ -174,7 +162,7 @@ TEST_F(LostMapper, IsFoundWhereItHasBeenCarriedToAndNotWhereItWas_MAP_5) {
 // [MAP-5]
 TEST_F(LostMapper, TakesOverNothingFromASearchOfAMapThatItHasForgottenSince_MAP_5) {
   mapper = mapping::Mapper();
-  occupancy::OccupancyMap rooms = roomsOf(world);
+  occupancy::OccupancyMap rooms = test::knownMapOf(world);
   ASSERT_TRUE(mapper.load(rooms));
   drive(10);
   const mapping::RobotSearch search = mapper.searchWork()();
@@ -201,11 +189,11 @@ TEST_F(LostMapper, TakesOverNothingWhileItHasNoScanSinceItsClockWasSetBack_MAP_5
 TEST_F(LostMapper, TakesOverNothingFromASearchOfAMapThatAnotherHasReplacedSince_MAP_5) {
   drive(10);
   const auto work = mapper.searchWork();
-  occupancy::OccupancyMap another = roomsOf(world);
+  occupancy::OccupancyMap another = test::knownMapOf(world);
   ASSERT_TRUE(mapper.load(another));
   drive(1);
   EXPECT_FALSE(mapper.locate(work()));
-  occupancy::OccupancyMap third = roomsOf(world);
+  occupancy::OccupancyMap third = test::knownMapOf(world);
   const auto second_work = mapper.searchWork();
   ASSERT_TRUE(mapper.resume(third, Pose2(), T_odom_base, true));
   drive(1);

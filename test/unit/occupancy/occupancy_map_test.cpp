@@ -100,7 +100,6 @@ TEST(OccupancyMap, RefusesToGrowBeyondItsLargestSizeAndStaysAsItWas) {
   EXPECT_EQ(map.geometry(), before);
 }
 
-// [MAP-2] change detection
 // [MAP-2] The map grows by 10 m: a box around the robot that is rounded to that is 20 m wide.
 TEST(OccupancyMap, TakesWhatFitsIntoItsLargestSizeThoughNotRounded_MAP_2) {
   occupancy::OccupancyMapParameters parameters;
@@ -116,6 +115,7 @@ TEST(OccupancyMap, TakesWhatFitsIntoItsLargestSizeThoughNotRounded_MAP_2) {
   EXPECT_FALSE(map.reserve({-5.0, -8.0}, {5.0, 8.0}));
 }
 
+// [MAP-2] change detection
 TEST(OccupancyMap, TellsWhichBlockOfValuesChanged_MAP_2) {
   occupancy::OccupancyMap map = smallMap();
   EXPECT_TRUE(map.takeChanges().geometry_changed);

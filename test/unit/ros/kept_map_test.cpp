@@ -8,11 +8,9 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <future>
 #include <set>
 #include <string>
 
-#include "ros/common/memory/disk.h"
 #include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
@@ -139,23 +137,6 @@ TEST_F(KeptMap, KeepsItsPoseAndIsKnownAsThatOfAMapperThatLivedUntilNow_FLT_2) {
   EXPECT_EQ(contentOf(base_.string()), "pose");
   EXPECT_NE(kept_map::renew({folder_ / "gone"}), "");
   EXPECT_FALSE(fs::exists(folder_ / "gone"));
-}
-
-// [FLT-2] A reset of the map goes on meanwhile.
-TEST_F(KeptMap, IsNotRemovedFromADiskThatHangsBeforeThatAnswers_FLT_2) {
-  write("map");
-  setDiskPatience(std::chrono::milliseconds(10));
-  std::promise<void> answer;
-  onDisk([hanging = answer.get_future().share()] {
-    hanging.wait();
-    return std::string();
-  });
-  kept_map::removeWithoutWaiting({base_});
-  EXPECT_TRUE(kept_map::exists(base_)) << "the disk was waited for";
-  answer.set_value();
-  setDiskPatience(std::chrono::seconds(20));
-  kept_map::removeWithoutWaiting({base_});
-  EXPECT_FALSE(kept_map::exists(base_));
 }
 
 TEST_F(KeptMap, ThatIsNotThereCannotBePutAside) {

@@ -259,6 +259,7 @@ TEST_F(MapLog, TakesLongerRangesThanTheGivenOneForNoReturnsAlsoInARosbag) {
   };
   EXPECT_EQ(wall({}), kOccupied);
   EXPECT_NE(wall({"--range", "0.8"}), kOccupied);
+  EXPECT_EQ(wall({"--range", "200"}), kOccupied) << "the scanner does not see farther for that";
 }
 
 TEST_F(MapLog, HandsARosbagToItsReader) {
