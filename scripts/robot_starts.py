@@ -183,6 +183,7 @@ def draw_starts(world, count, seed):
     for cell in near_cells(world, first_cell(world, generator)):
         point = world.centre(cell)
         if all(math.dist(point, (start['x'], start['y'])) >= APART for start in starts):
+            # Drawn for the first one, too, so that the others look where they always did for this seed.
             drawn = round(generator.uniform(-math.pi, math.pi), 3)
             yaw = drawn if starts else 0.0
             starts.append({'name': 'robot%d' % (len(starts) + 1), 'x': point[0], 'y': point[1], 'yaw': yaw})

@@ -2,7 +2,7 @@
 
 
 MOST_CORES = 1e4  # that a process can use
-PROGRAMS = ('/patrol_client', '/teleop_gui')  # people end these and start them again, as they like
+STARTED_BY_PEOPLE = ('/patrol_client', '/teleop_gui')  # who end them and start them again as they like
 
 
 def is_time(value):
@@ -24,8 +24,8 @@ class Load:
             raise ValueError('they have times that cannot be')
         self.wall.append((time, message.wall_time, message.header.seq))
         for process in message.processes:
-            ends_by_itself = process.node.endswith(PROGRAMS)
-            if self.pids.setdefault(process.node, process.pid) != process.pid and not ends_by_itself:
+            is_another = self.pids.setdefault(process.node, process.pid) != process.pid
+            if is_another and not process.node.endswith(STARTED_BY_PEOPLE):
                 self._restarts.append((time, process.node))
             self.pids[process.node] = process.pid
             self.nodes.setdefault(process.node, []).append((time, process.cpu, process.memory))

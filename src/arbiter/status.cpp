@@ -16,15 +16,15 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string whyNobodyDrives(const ArbiterSnapshot& status) {
-  for (const SourceStatus& source : status.sources) {
-    if (source.ignored)
-      return source.name + " asks to move, but is disabled (set_" + source.name + "_enabled true): stopped";
-  }
-  return "nobody asks for the wheels: stopped";
+/// The source that asks to move although it is disabled; empty if none does.
+std::string whoIsIgnored(const ArbiterSnapshot& status) {
+  for (const SourceStatus& source : status.sources)
+    if (source.ignored) return source.name + " asks to move, but is disabled (set_" + source.name + "_enabled true)";
+  return {};
 }
 
 std::string whoDrives(const ArbiterSnapshot& status) {
+  const std::string ignored = whoIsIgnored(status);
   switch (status.state) {
     case ArbiterState::kEmergencyStop:
       return "emergency stop: " + status.stop_cause;
@@ -35,11 +35,12 @@ std::string whoDrives(const ArbiterSnapshot& status) {
     case ArbiterState::kUnreachable:
       return "no emergency stop can be called, because " + status.unreachable + ": stopped";
     case ArbiterState::kDriving:
-      return status.active_source + (status.command.isZero() ? " holds the robot still" : " drives");
+      if (!status.command.isZero()) return status.active_source + " drives";
+      return status.active_source + " holds the robot still" + (ignored.empty() ? "" : "; " + ignored);
     case ArbiterState::kIdle:
       break;
   }
-  return whyNobodyDrives(status);
+  return (ignored.empty() ? "nobody asks for the wheels" : ignored) + ": stopped";
 }
 
 }  // namespace

@@ -48,7 +48,11 @@ void FleetWindow::release() {
 }
 
 void FleetWindow::choose(const std::string& robot) {
-  if (released_ || (robot == chosen_ && is_described_)) return;
+  if (released_) return;
+  if (robot == chosen_) {
+    if (mayOpenAgain()) fleet_link_.open(robot);
+    return;
+  }
   chosen_ = robot;
   widget_->stopBecause("another robot was chosen");
   fleet_link_.open(robot);
@@ -76,16 +80,18 @@ bool FleetWindow::ownRobotIsMissing() const {
 }
 
 /// Whether the robot that is shown was opened before it ran, so that its map and its outline may be those of another
-/// one.
-bool FleetWindow::shouldOpenAgain() const {
-  return !is_described_ && reopened_ != shown_ && chosen_ == shown_ && widget_->setPoint().isZero() &&
-         link_->state().arbiter;
+/// one, and nothing that was begun here would end with its link.
+bool FleetWindow::mayOpenAgain() const {
+  if (is_described_ || chosen_ != shown_ || !widget_->setPoint().isZero()) return false;
+  const teleop::OperatorState state = link_->state();
+  return !state.patrol.active && !state.spin.active && !state.navigate.active && !state.waypoints.active;
 }
 
 /// Meanwhile another robot may have been chosen.
 void FleetWindow::receive(teleop::OpenedRobot robot) {
   const bool is_wanted = robot.name == chosen_;
-  if (is_wanted && robot.link) {
+  const bool is_shown = robot.name == shown_;
+  if (is_wanted && robot.link && (!is_shown || mayOpenAgain())) {
     showRobot(std::move(robot));
     return;
   }
@@ -99,7 +105,7 @@ void FleetWindow::refresh() {
   const teleop::FleetView fleet = fleet_link_.fleet();
   if (auto opened = fleet_link_.takeOpened()) receive(std::move(*opened));
   if (!fleet.robots.empty() && fleet.connected && ownRobotIsMissing()) choose(fleet.robots.front().name);
-  if (shouldOpenAgain()) {
+  if (reopened_ != shown_ && mayOpenAgain() && link_->state().arbiter) {
     reopened_ = shown_;
     fleet_link_.open(shown_);
   }

@@ -44,7 +44,7 @@ class FleetWindow : public QWidget {
   void receive(teleop::OpenedRobot robot);
   void showRobot(teleop::OpenedRobot robot);
   bool ownRobotIsMissing() const;
-  bool shouldOpenAgain() const;
+  bool mayOpenAgain() const;
   void noteStop(const teleop::OperatorRequest& request);
   void stopChosen();
   void stopAll();

@@ -7,6 +7,7 @@ import time
 import rospy
 import rostest
 from frontier_pilot.srv import LoadMap, SaveMap
+from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
@@ -66,6 +67,21 @@ class MapperResume(MapperCase):
         self.start()
         self.assertFalse(wait_for(lambda: self.say_where() and self.map.last and self.map.last.info.width == room, 4.0),
                          '[FLT-2]')
+
+    def test_a_robot_that_was_not_found_is_looked_for_also_if_odometry_is_trusted(self):  # [FLT-2] [MAP-5]
+        options = '_autosave_period:=1', '_trust_odometry:=true'
+        mapper = self.start(*options)
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        localized = Record('mapper/localized', Bool)
+        self.addCleanup(localized.subscriber.unregister)
+        self.assertTrue(call('mapper/load_map', LoadMap, SMALL).success)
+        self.assertTrue(wait_for(lambda: self.drive() or (localized.last is not None and not localized.last.data)))
+        self.assertFalse(wait_for(lambda: self.drive() or localized.last.data, 3.0), 'it is in another room than that of the map')
+        self.kill(mapper)
+        localized.items.clear()
+        self.start(*options)
+        self.assertTrue(wait_for(lambda: self.drive() or localized.items))
+        self.assertFalse(wait_for(lambda: self.drive() or localized.last.data, 3.0), '[MAP-5]')
 
     def test_a_map_of_a_launch_with_another_map_file_is_put_aside(self):  # [FLT-2]
         room = self.leave_a_map()

@@ -53,6 +53,7 @@ inline std::string setEnabled(const std::string& source) { return "set_" + sourc
 
 // Obstacle avoider
 constexpr const char* kAvoiderStatus = "obstacle_avoider/status";
+constexpr const char* kAvoiderUpdates = "obstacle_avoider/parameter_updates";
 constexpr const char* kSetObstacleAvoidEnabled = "set_obstacle_avoid_enabled";
 
 // Mapper
@@ -125,7 +126,6 @@ constexpr const char* kFootprint = "footprint";  // topic: the robot's outline i
 // dynamic_reconfigure's own, in the private namespace of a node
 constexpr const char* kParameterDescriptions = "parameter_descriptions";
 constexpr const char* kParameterUpdates = "parameter_updates";
-constexpr const char* kAvoiderUpdates = "obstacle_avoider/parameter_updates";
 constexpr const char* kSetParameters = "set_parameters";
 
 // Frames (REP 103, REP 105); `world` is the simulator's

@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "frontier_pilot/core/text.h"
 #include "ros/common/clock.h"
 #include "ros/common/names.h"
 #include "ros/common/node_main.h"
-#include "ros/common/parameters.h"
 #include "ros/common/throttled_log.h"
 #include "ros/fleet_stop/stop_answer.h"
 
@@ -23,26 +21,14 @@ constexpr std::size_t kMostLines = 200;
 
 }  // namespace
 
-void FleetStopParameters::check(Problems& problems) const {
-  for (const fleet::FleetRobot& robot : robots) {
-    // One that begins with a slash is not below the namespace of this node.
-    const bool is_absolute = robot.name.rfind('/', 0) == 0;
-    if (!isRobotName(robot.name.substr(is_absolute ? 1 : 0)))
-      problems.push_back("robots: '" + robot.name + "' is no name of a namespace");
-  }
-}
-
 FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
-    : parameters_(loadNodeParameters<FleetStopParameters>(private_node)),
+    : parameters_(loadFleetStopParameters(node, private_node)),
       node_(node),
       status_(node.advertise<FleetStopStatus>(names::kFleetStopStatus, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
   for (const fleet::FleetRobot& robot : parameters_.robots) {
-    const std::string service = node.resolveName(names::ofRobot(robot.name, names::kEmergencyStop));
-    if (service == node.resolveName(names::kFleetEmergencyStop))
-      throw ConfigurationError(private_node.getNamespace(), {"robots: '" + robot.name + "' cannot be a robot's name: " +
-                                                             names::kFleetEmergencyStop + " stops all robots"});
+    const std::string service = stopOf(robot, node);
     known_.list(service);
     addRobot(service);
   }

@@ -7,29 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/fleet/parameters.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
+#include "ros/fleet_stop/fleet_stop_parameters.h"
 #include "ros/fleet_stop/known_robots.h"
 #include "ros/fleet_stop/regained_services.h"
 #include "ros/fleet_stop/stop_line.h"
 
 namespace frontier_pilot {
-
-struct FleetStopParameters {
-  std::vector<fleet::FleetRobot> robots;
-  double patience = 1.0;  ///< [s]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.list("robots", robots,
-           "the robots; only their names count here. Robots whose arbiters the master knows are stopped as well");
-    v.field("patience", patience, "s", "a robot that has not answered a stop after this time counts as silent",
-            between(0.1, 3.0));
-  }
-  void check(Problems& problems) const;
-};
 
 /// The node `fleet_stop`: `fleet/emergency_stop` stops every robot, and answers when each has confirmed it or after
 /// `patience`, naming those that have not. It keeps no stop itself: that is in each robot's arbiter, and is cleared

@@ -18,6 +18,7 @@ class RegainedServices {
   std::vector<std::string> take(const NodesByName& publishers, const NodesByName& providers);
 
  private:
+  bool has_looked_ = false;
   std::map<std::string, std::string> provider_;  ///< by service, at the last call; empty: nobody
 };
 

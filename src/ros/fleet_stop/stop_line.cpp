@@ -137,7 +137,7 @@ StopAnswer StopLine::call(SteadyTime latest) {
       return {StopOutcome::kNoService, {}};
     }
     std_srvs::Trigger stop;
-    if (ros::ServiceClient client = client_; client.call(stop)) {
+    if (ros::ServiceClient client = client_; client.call(stop) && !leads_elsewhere_) {
       return {stop.response.success == 0 ? StopOutcome::kRefused : StopOutcome::kConfirmed, stop.response.message};
     }
     disconnect();

@@ -78,11 +78,14 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   return true;
 }
 
-/// What to do about an exploration that has ended: neither switch begins it anew.
+/// What to do about an exploration that has ended: to enable it goes on with one that a stopping rule has ended, but
+/// not where nothing is left.
 std::string FrontierExplorerAdapter::afterItsEnd() {
   if (status_.state != exploration::ExplorerState::kDone || waits()) return {};
-  return std::string("; it has ended (") + toString(status_.reason) +
-         "): frontier_explorer/reset begins it anew, and at the end of that the robot " +
+  return std::string("; it has ended (") + toString(status_.reason) + "): " +
+         (explorer_.endedBy() ? std::string(names::kSetExplorationEnabled) + " true goes on"
+                              : std::string(names::kResetExplorer) + " begins it anew") +
+         ", and at the end of that the robot " +
          (explorer_.returnsToStart() ? "returns to its start" : "stays where it is");
 }
 

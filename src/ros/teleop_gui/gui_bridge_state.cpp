@@ -67,8 +67,7 @@ void GuiBridge::onAnswer(const std::string& service, bool success, const std::st
   if (service != names::kSetEmergencyStop) return;
   constexpr std::string_view kRefused = "refused: ";
   const std::size_t begin = message.rfind(kRefused, 0) == 0 ? kRefused.size() : 0;
-  const std::size_t end = message.rfind(" (answered by");
-  refuseClear(success ? "" : printable(message.substr(begin, end - begin), bounds::kMostReason));
+  refuseClear(success ? "" : printable(withoutSignature(message.substr(begin)), bounds::kMostReason));
 }
 
 void GuiBridge::onMapAnswer(bool success, const std::string& message) {

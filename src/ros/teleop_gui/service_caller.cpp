@@ -171,6 +171,7 @@ void ServiceCaller::run() {
     calls_.pop_front();
     under_way_ = call;
     since_ = steadyNow();
+    insists_until_ = *since_ + kInsists;  // it may have waited for the call before it
     patience_ = call.patience;
     withdrawn_ = sent_ = gave_up_ = no_master_ = false;
     why_not_.clear();
@@ -199,7 +200,7 @@ void ServiceCaller::lookAfter(SteadyTime now) {
 void ServiceCaller::giveUpASilentStop(SteadyTime now) {
   const bool insists = under_way_ && under_way_->insists;
   if (!insists || !asking_since_) return;
-  const Duration left = under_way_->asked_at + kInsists - *asking_since_;
+  const Duration left = insists_until_ - *asking_since_;
   if (now - *asking_since_ < std::min(patience_, std::max(left, under_way_->patience))) return;
   patience_ *= 2;
   gave_up_ = true;

@@ -130,6 +130,7 @@ class ServiceCaller {
   bool begin(const ros::ServiceClient& client);
   bool isEnding();
   bool isCalledOff();
+  SteadyTime insistsUntil();
   std::string whyNone();
   std::string whyNotDone();
   /// The caller holds the lock.
@@ -150,6 +151,7 @@ class ServiceCaller {
   SteadyTime connected_at_{};  ///< when that was tried last
   std::optional<Call> under_way_;
   std::optional<SteadyTime> since_;         ///< when the call that is under way was begun; none once it was called slow
+  SteadyTime insists_until_{};              ///< until when a call that insists is made again
   std::optional<SteadyTime> asking_since_;  ///< when its last connection was made; none once that was given up
   Duration patience_{};                     ///< for an answer on the present connection of a call that insists
   std::string why_not_;                     ///< why the call that is under way is not made; empty if it is

@@ -7,7 +7,6 @@
 #include "ros/common/clock.h"
 #include "ros/common/master/xml_rpc.h"
 #include "ros/common/messages/stop_words.h"
-#include "ros/common/names.h"
 #include "ros/teleop_gui/service_caller.h"
 
 namespace frontier_pilot {
@@ -116,7 +115,7 @@ std::optional<ServiceCaller::Answer> ServiceCaller::ask(const Call& call) {
 
 std::optional<ServiceCaller::Answer> ServiceCaller::askAgain(const Call& call) {
   std::optional<Answer> answer;
-  while (!answer && steadyNow() - call.asked_at < kInsists) {
+  while (!answer && steadyNow() < insistsUntil()) {
     {
       std::unique_lock<std::mutex> lock(mutex_);
       if (wake_.wait_for(lock, kBetweenCalls, [this] { return stopping_ || withdrawn_; })) return std::nullopt;
@@ -129,7 +128,7 @@ std::optional<ServiceCaller::Answer> ServiceCaller::askAgain(const Call& call) {
 void ServiceCaller::perform(const Call& call) {
   std::optional<Answer> answer = attempt(call);
   if (!answer && call.insists && !isEnding()) {
-    log_(teleop::Severity::kError, call.service + ": " + whyNone() + ", trying again for 10 s");
+    log_(teleop::Severity::kError, call.service + ": " + whyNone() + ", trying again");
     answer = askAgain(call);
   }
   if (isEnding()) return;
@@ -142,6 +141,11 @@ void ServiceCaller::perform(const Call& call) {
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
   const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");
   log_(severityOfAnswer(answer->success, said), (call.path.empty() ? call.text() : call.service) + ": " + said);
+}
+
+SteadyTime ServiceCaller::insistsUntil() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return insists_until_;
 }
 
 std::string ServiceCaller::whyNone() {

@@ -186,6 +186,10 @@ TEST_F(ArbiterTest, TheSummaryNamesASourceThatAsksToMoveAlthoughItIsDisabled) {
   send("nav", 0.1);
   send("manual", 0.1);
   EXPECT_EQ(summarize(arbiter.status(now)), "manual drives");
+  send("manual", 0.0);
+  EXPECT_EQ(summarize(arbiter.status(now)),
+            "manual holds the robot still; nav asks to move, but is disabled (set_nav_enabled true)")
+      << "as the window does";
 }
 
 }  // namespace

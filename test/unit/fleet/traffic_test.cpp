@@ -69,6 +69,19 @@ TEST(TrafficRule, WhoIsNearerToTheWayOutGoesAndTheOtherGetsOutOfTheWay_MUL_3) {
   ASSERT_EQ(b.order.making_way.size(), 1U);
 }
 
+// [MUL-3] Where a robot was that makes way is no free ground once it is elsewhere.
+TEST(TrafficRule, ARobotThatGetsOutOfTheWayKnowsOnlyWhereTheOthersThatMakeWayAreNow_MUL_3) {
+  Robot a("a", {4.0, 1.5}, Vec2(10.5, 1.5));  // has 5 m to go in the corridor
+  Robot b("b", {6.0, 1.5}, Vec2(1.0, 1.5));   // has 3 m
+  Robot c("c", {8.5, 1.5}, Vec2(1.0, 1.5));   // has more than a
+  for (int i = 0; i < 10; ++i) {
+    talk(a, b, 0.5 * i, 0.5 * i);
+    talk(a, c, 0.5 * i, 0.5 * i);
+  }
+  ASSERT_EQ(a.order.kind, Kind::kAside);
+  EXPECT_EQ(a.order.making_way.size(), 1U);
+}
+
 // [MUL-3]
 TEST(TrafficRule, OfEqualsTheOneWhoseNameComesFirstGoes_MUL_3) {
   Robot a("a", {2.0, 0.5}, Vec2(10.5, 1.5));

@@ -49,6 +49,7 @@ TEST(LatchedRepeats, IsTheFirstMessageOfAPublisherThatIsConnectedLate_ARB_8) {
   LateConnections late;
   LatchedRepeats after_a_restart("/goal", at(0.0), kSettling, late), others("/goal", at(0.0), Duration::zero(), late);
   late.note({{"/goal", "/hung"}, {"/goal", "/slow"}}, at(1.0));
+  late.note({{"/goal", "/hung"}, {"/goal", "/slow"}}, at(1.4));
   late.note({{"/goal", "/hung"}}, at(2.0));
   late.note({{"/goal", "/hung"}}, at(3.0));
   EXPECT_TRUE(after_a_restart.isRepeat(connectionOf("/hung"), at(3.5)));

@@ -29,5 +29,13 @@ TEST(RegainedServices, AreNotThoseThatAStrangerHasTakenOver_MUL_4) {
   EXPECT_EQ(services.take({}, providedBy("/robot1/cmd_vel_arbiter")), Services{}) << "it is no arbiter that is known";
 }
 
+// [MUL-4] [FLT-1] Meanwhile nobody knows the robot's arbiter, and what is remembered of robots does not grow.
+TEST(RegainedServices, AreThoseOfAnArbiterThatWasGoneAltogether_MUL_4_FLT_1) {
+  RegainedServices services;
+  EXPECT_EQ(services.take(kPublishers, providedBy("/robot1/cmd_vel_arbiter")), Services{});
+  EXPECT_EQ(services.take({}, providedBy("/stranger")), Services{});
+  EXPECT_EQ(services.take(kPublishers, providedBy("/robot1/cmd_vel_arbiter")), Services{"/robot1/emergency_stop"});
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -23,16 +23,16 @@ constexpr Duration kSettling = std::chrono::seconds(2);
 /// several threads.
 class LateConnections {
  public:
-  /// What is missing in one look, as (topic, publisher); looks are a second apart. What is missing in two successive
-  /// ones is late, because a connection takes its time to be made.
+  /// What is missing in one look, as (topic, publisher). What has been missing for almost a second is late, because a
+  /// connection takes its time to be made.
   void note(const std::set<std::pair<std::string, std::string>>& missing, SteadyTime now);
   /// Whether the publisher was late until a moment ago.
   bool has(const std::string& topic, const std::string& publisher, SteadyTime now) const;
 
  private:
-  mutable std::mutex mutex_;  ///< guards all that follow
-  std::set<std::pair<std::string, std::string>> missing_;
-  std::map<std::pair<std::string, std::string>, SteadyTime> late_;  ///< when each was missing last
+  mutable std::mutex mutex_;                                         ///< guards all that follow
+  std::map<std::pair<std::string, std::string>, SteadyTime> since_;  ///< when each was missing first
+  std::map<std::pair<std::string, std::string>, SteadyTime> late_;   ///< when each that is late was missing last
 };
 
 /// Those of this process.

@@ -19,6 +19,11 @@ bool mayBeUnsent(const std::string& answer) { return contains(answer, kMayBeUnse
 
 std::string signatureOf(const std::string& node) { return kSignature + node + ")"; }
 
+std::string withoutSignature(const std::string& answer) {
+  const std::size_t end = answer.rfind(kSignature);
+  return end == std::string::npos || end == 0 ? answer : answer.substr(0, end - 1);
+}
+
 bool isSigned(const std::string& answer) { return contains(answer, kSignature); }
 
 std::string unsignedAnswerOf(const std::string& who) {

@@ -12,6 +12,8 @@ bool mayBeUnsent(const std::string& answer);
 
 /// What an arbiter adds to each of its answers, so that the caller sees who has answered. [ARB-12]
 std::string signatureOf(const std::string& node);
+/// The answer without that.
+std::string withoutSignature(const std::string& answer);
 /// Whether an answer has that: without it another node may have taken the service, and then nothing is latched.
 bool isSigned(const std::string& answer);
 /// What is said of `who`'s answer to a stop that is not signed, with what to do about it.
