@@ -31,19 +31,25 @@ bool waitFor(const std::function<bool()>& condition) { return test::serveUntil(c
 class Lines {
  public:
   OperatorLog log() {
-    return [this](teleop::Severity, const std::string& line) {
+    return [this](teleop::Severity severity, const std::string& line) {
       const std::lock_guard<std::mutex> lock(mutex_);
       text_ += line + "\n";
+      last_ = severity;
     };
   }
   bool have(const std::string& words) {
     const std::lock_guard<std::mutex> lock(mutex_);
     return text_.find(words) != std::string::npos;
   }
+  std::optional<teleop::Severity> last() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return last_;
+  }
 
  private:
   std::mutex mutex_;
   std::string text_;
+  std::optional<teleop::Severity> last_;
 };
 
 using Switch = HangingServer<std_srvs::SetBool>;
@@ -270,9 +276,12 @@ TEST(ServiceCallerOnTheWire, AStopThatNoArbiterHasSignedIsAWarning_ARB_12_GUI_2)
         "a_strange_stop: stopped; the answer of a_strange_stop is not signed by an arbiter: make sure that the robot "
         "stands");
   }));
+  EXPECT_EQ(lines.last(), teleop::Severity::kWarning);
   said = "stopped (answered by /cmd_vel_arbiter)";
   caller.insist("a_strange_stop", kPatience, ServiceCaller::Signature::kOfArbiter);
   EXPECT_TRUE(waitFor([&] { return lines.have("a_strange_stop: stopped (answered by /cmd_vel_arbiter)\n"); }));
+  EXPECT_EQ(lines.last(), teleop::Severity::kGood);
+  EXPECT_EQ(severityOfAnswer(true, "3 of 3 robots stopped; " + unsignedAnswerOf("robot2")), teleop::Severity::kWarning);
 }
 
 }  // namespace

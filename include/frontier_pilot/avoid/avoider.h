@@ -34,7 +34,7 @@ inline bool operator==(const AvoiderCommand& a, const AvoiderCommand& b) {
   return a.twist == b.twist && a.hold == b.hold;
 }
 
-/// The nearest obstacles around the base in one scan: distances from the base's centre [m]; infinite if none in range.
+/// The nearest obstacles around the base in one scan: distances from the base's origin [m]; infinite if none in range.
 struct SectorDistances {
   static constexpr double kNothing = std::numeric_limits<double>::infinity();
 

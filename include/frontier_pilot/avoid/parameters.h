@@ -6,7 +6,7 @@
 
 namespace frontier_pilot::avoid {
 
-/// The directions from `from` counter-clockwise to `to`, seen from the base's centre, both included.
+/// The directions from `from` counter-clockwise to `to`, seen from the base's origin, both included.
 struct Sector {
   double from = 0.0;
   double to = 0.0;
@@ -46,14 +46,14 @@ struct AvoiderParameters {
     v.group("front_right", front_right, "the sector ahead on the right");
     v.group("rear", rear, "the sector behind");
     v.field("stop_distance", stop_distance, "m",
-            "an obstacle ahead that is nearer to the base's centre starts a recovery; 0: 0.395 m ahead of the robot's "
+            "an obstacle ahead that is nearer to the base's origin starts a recovery; 0: 0.395 m ahead of the robot's "
             "front, 0.5 m for a Burger",
             scanRangeOrNone());
     v.field("clear_distance", clear_distance, "m",
-            "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.15 m more than stop_distance",
+            "a recovery ends when nothing ahead is nearer to the base's origin; 0: 0.15 m more than stop_distance",
             scanRangeOrNone());
     v.field("rear_stop_distance", rear_stop_distance, "m",
-            "no reversing when something behind is nearer to the base's centre; 0: 0.145 m behind the robot's rear, "
+            "no reversing when something behind is nearer to the base's origin; 0: 0.145 m behind the robot's rear, "
             "0.25 m for a Burger",
             scanRangeOrNone());
     v.fixed({"guard_margin"});
@@ -73,7 +73,7 @@ struct AvoiderParameters {
   void check(Problems& problems) const;
 };
 
-/// Distances from the base's centre that have to be free [m]: as configured, or by default from the robot's outline.
+/// Distances from the base's origin that have to be free [m]: as configured, or by default from the robot's outline.
 /// The default ahead suffices for a base at 0.65 m/s that brakes with 1 m/s^2 and a scanner at 5.5 Hz; that behind
 /// suffices for the avoider's own speed of 0.08 m/s.
 struct AvoiderDistances {

@@ -41,6 +41,17 @@ TEST(StopAnswer, SaysOfEachRobotWhetherItsZeroMayNotHaveBeenSentYet_ARB_7_MUL_4)
   EXPECT_EQ(answer.message, "2 of 2 robots stopped; robot2: " + late);
 }
 
+// [ARB-12]
+TEST(StopAnswer, IsSignedByTheArbiter_ARB_12) {
+  const std::string answer = "refused: nav asked to move " + signatureOf("/robot1/cmd_vel_arbiter");
+  EXPECT_EQ(answer, "refused: nav asked to move (answered by /robot1/cmd_vel_arbiter)");
+  EXPECT_TRUE(isSigned(answer));
+  EXPECT_EQ(withoutSignature(answer), "refused: nav asked to move");
+  EXPECT_EQ(withoutSignature("refused"), "refused");
+  EXPECT_FALSE(leavesDoubt(answer));
+  EXPECT_TRUE(leavesDoubt(unsignedAnswerOf("robot1")));
+}
+
 // [ARB-12] [MUL-4]
 TEST(StopAnswer, SaysOfEachRobotWhetherAnArbiterHasAnswered_ARB_12_MUL_4) {
   const FleetAnswer answer = summarize(
