@@ -153,8 +153,8 @@ class Mapper {
   occupancy::MapChanges takeChanges() { return map().takeChanges(); }
   const Pose2& T_map_odom() const;
   /// Whether the robot is where `T_map_odom` has it, as far as scans can tell. False from when it is looked for on a
-  /// map, loaded or kept by a mapper that died, until a scan fits there; while it seems to have been carried, unless the map stays as it is; and, if
-  /// it is only localised in, when it has driven 2 m without a scan that fits. [MAP-5]
+  /// map, loaded or kept by a mapper that died, until a scan fits there; while it seems to have been carried; and, in a
+  /// map that stays as it is, instead when it has driven 2 m without a scan that fits. [MAP-5]
   bool isLocalized() const;
   const ScanCounts& counts() const;
   const RevisionReport& revisions() const;
