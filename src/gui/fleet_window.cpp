@@ -84,7 +84,7 @@ bool FleetWindow::ownRobotIsMissing() const {
 bool FleetWindow::mayOpenAgain() const {
   if (is_described_ || chosen_ != shown_ || !widget_->setPoint().isZero()) return false;
   const teleop::OperatorState state = link_->state();
-  return !state.patrol.active && !state.spin.active && !state.navigate.active && !state.waypoints.active;
+  return !state.patrol.own && !state.spin.own && !state.navigate.own && !state.waypoints.own;
 }
 
 /// Meanwhile another robot may have been chosen.
@@ -95,6 +95,7 @@ void FleetWindow::receive(teleop::OpenedRobot robot) {
     showRobot(std::move(robot));
     return;
   }
+  if (is_shown) reopened_.clear();  // something was begun here meanwhile: later
   if (is_wanted) chosen_ = shown_;  // it could not be opened, and may be chosen again
   if (!robot.link) return;
   robot.link->close();

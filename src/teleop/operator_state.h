@@ -98,6 +98,7 @@ struct ActionView {
   bool connected = false;  ///< to a server, which may hang
   bool server_up = false;  ///< it responds
   bool active = false;
+  bool own = false;      ///< with a goal that was sent here
   std::string feedback;  ///< of the present or last goal
   std::string result;    ///< of the last goal; empty while one is active
 };

@@ -174,6 +174,13 @@ class ExplorerLimits(ExplorerCase):
         self.assertTrue(self.is_at_start(), self.robot.position)
 
     # [EXP-10]
+    def test_says_that_an_exploration_which_a_rule_has_ended_goes_on_when_it_is_enabled(self):
+        self.explore(until={'distance': 0.8})
+        self.expect_done(Status.UNTIL_DISTANCE)
+        self.assertIn('set_exploration_enabled true goes on, and at the end of that the robot returns to its start',
+                      call('frontier_explorer/set_return_to_start', SetBool, True).message)
+
+    # [EXP-10]
     def test_says_what_sends_the_robot_back_once_the_exploration_has_ended(self):
         self.explore()
         self.expect_done(Status.NO_REACHABLE_FRONTIER)

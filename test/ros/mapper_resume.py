@@ -78,9 +78,10 @@ class MapperResume(MapperCase):
         self.assertTrue(wait_for(lambda: self.drive() or (localized.last is not None and not localized.last.data)))
         self.assertFalse(wait_for(lambda: self.drive() or localized.last.data, 3.0), 'it is in another room than that of the map')
         self.kill(mapper)
-        localized.items.clear()
+        localized = Record('mapper/localized', Bool)
+        self.addCleanup(localized.subscriber.unregister)
         self.start(*options)
-        self.assertTrue(wait_for(lambda: self.drive() or localized.items))
+        self.assertTrue(wait_for(lambda: self.drive() or (self.map.last and localized.items), 15.0))
         self.assertFalse(wait_for(lambda: self.drive() or localized.last.data, 3.0), '[MAP-5]')
 
     def test_a_map_of_a_launch_with_another_map_file_is_put_aside(self):  # [FLT-2]

@@ -13,6 +13,7 @@
 
 #include "frontier_pilot/core/time.h"
 #include "ros/common/callback_guard.h"
+#include "ros/common/messages/stop_words.h"
 #include "ros/fleet_stop/stop_answer.h"
 
 namespace frontier_pilot {
@@ -32,8 +33,13 @@ class StopLine {
 
   const std::string& service() const { return service_; }
   bool connected() const { return connected_; }
-  /// The service may be another node's than that to which the line leads.
-  void connectAnew() { leads_elsewhere_ = true; }
+  /// The service may be another node's than that to which the line leads. A stop that no arbiter has signed is owed to
+  /// the one that has the service now.
+  void connectAnew() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    leads_elsewhere_ = true;
+    owed_ = owed_ || (asked_ > 0 && answered_ == asked_ && !isSigned(answer_.text));
+  }
   /// Lets the thread end, without waiting for it: it has when `ended` is true.
   void end();
   bool ended() const { return ended_; }

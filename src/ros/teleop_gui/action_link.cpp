@@ -94,6 +94,7 @@ teleop::ActionView ActionLink<Action>::view() const {
   view.connected = goal_publisher_.getNumSubscribers() > 0 && status_subscriber_.getNumPublishers() > 0;
   view.server_up = view.connected && heard;
   view.active = view.active && view.connected;
+  view.own = view.active && !own_id_.empty();
   return view;
 }
 

@@ -64,7 +64,7 @@ const char* toString(MatchVerdict verdict) {
       return "ambiguous";
     case MatchVerdict::kKidnapped:
       return "not localised: what the scanner shows changed while the robot stood, as if it was carried; give a pose, "
-             "or call localize";
+             "or call mapper/localize";
     case MatchVerdict::kLost:
       return "lost, new submap begun";
   }

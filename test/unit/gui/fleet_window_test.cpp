@@ -174,11 +174,11 @@ TEST_F(FleetWindowTest, ARobotThatWasOpenedBeforeItRanIsOpenedAgainWhenItRuns_GU
   EXPECT_TRUE(QTest::qWaitFor([this] { return fleet_.asked.size() == 2; }));
   EXPECT_FALSE(QTest::qWaitFor([this] { return fleet_.asked.size() > 2; }, 500)) << "once, if it still says nothing";
   fleet_.described = true;
-  fleet_.links["robot1"].shown.spin.active = true;
-  ASSERT_TRUE(QTest::qWaitFor([this] { return find("spin stop")->isEnabled(); }));
+  fleet_.links["robot1"].shown.spin.own = true;
   click("robot_robot1");
   EXPECT_EQ(fleet_.asked.size(), 2U) << "what was begun here would end";
-  fleet_.links["robot1"].shown.spin.active = false;
+  fleet_.links["robot1"].shown.spin.own = false;
+  fleet_.links["robot1"].shown.navigate.active = true;  // the goal of an explorer
   EXPECT_TRUE(QTest::qWaitFor([this] {
     click("robot_robot1");
     return fleet_.asked.size() == 3;

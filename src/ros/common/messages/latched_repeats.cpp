@@ -18,12 +18,12 @@ std::string valueOf(const ros::M_string& header, const char* key) {
 
 void LateConnections::note(const std::set<std::pair<std::string, std::string>>& missing, SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  constexpr Duration kTimeToConnect = std::chrono::milliseconds(800);
+  constexpr Duration kLateAfter = std::chrono::milliseconds(800);
   std::map<std::pair<std::string, std::string>, SteadyTime> since;
   for (const auto& connection : missing) {
     const auto before = since_.find(connection);
     since[connection] = before == since_.end() ? now : before->second;
-    if (now - since[connection] >= kTimeToConnect) late_[connection] = now;
+    if (now - since[connection] >= kLateAfter) late_[connection] = now;
   }
   since_ = std::move(since);
   for (auto it = late_.begin(); it != late_.end();) it = now - it->second > kSettling ? late_.erase(it) : std::next(it);
