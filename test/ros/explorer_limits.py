@@ -50,7 +50,7 @@ class ExplorerLimits(ExplorerCase):
     # [EXP-10]
     def test_stays_within_the_bounds_of_its_parameters_and_shows_them(self):
         self.explore(bounds={'stay_within': RIGHT})
-        self.assertTrue(wait_for(lambda: self.robot.goals))
+        self.assertTrue(wait_for(lambda: self.robot.goals and self.status.last))
         self.assertGreater(self.robot.goals[0][0], 0.0)
         self.assertEqual(4, len(self.status.last.stay_within.points))
         self.assertTrue(wait_for(lambda: self.markers.last and any(m.ns == 'bounds' for m in self.markers.last.markers)))
@@ -183,6 +183,7 @@ class ExplorerLimits(ExplorerCase):
     # [EXP-10]
     def test_says_what_sends_the_robot_back_once_the_exploration_has_ended(self):
         self.explore()
+        self.assertTrue(self.comes(lambda status: status.state == Status.DONE, 30.0))
         self.expect_done(Status.NO_REACHABLE_FRONTIER)
         self.assertIn('exploration enabled already: nothing changed; it has ended (no reachable frontier left): frontier_explorer/reset '
                       'begins it anew, and at the end of that the robot stays where it is',
@@ -192,6 +193,7 @@ class ExplorerLimits(ExplorerCase):
         self.status.items.clear()
         self.assertTrue(call('frontier_explorer/reset', Trigger).success)
         self.expect_reason(Status.RETURNING_TO_START)
+        self.status.items.clear()
         self.expect_done(Status.NO_REACHABLE_FRONTIER)
         self.assertTrue(self.is_at_start(), self.robot.position)
 

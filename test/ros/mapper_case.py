@@ -88,7 +88,7 @@ class MapperCase(unittest.TestCase):
 
     def forget_the_parameters(self):
         """What one mapper was told in its command line stays on the parameter server, and would count for the next one."""
-        for name in 'mapper/map_file', 'mapper/autosave_period', 'mapper/trust_odometry':
+        for name in 'mapper/map_file', 'mapper/autosave_period', 'mapper/mapper/trust_odometry':
             if rospy.has_param(name):
                 rospy.delete_param(name)
 

@@ -69,7 +69,7 @@ class MapperResume(MapperCase):
                          '[FLT-2]')
 
     def test_a_robot_that_was_not_found_is_looked_for_also_if_odometry_is_trusted(self):  # [FLT-2] [MAP-5]
-        options = '_autosave_period:=1', '_trust_odometry:=true'
+        options = '_autosave_period:=1', '_mapper/trust_odometry:=true'
         mapper = self.start(*options)
         self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
         localized = Record('mapper/localized', Bool)
