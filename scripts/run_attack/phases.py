@@ -79,8 +79,9 @@ class Phases:
         return False
 
     def _drive_on(self):
-        """What is near may leave no room to turn in: the exploration leads away from it."""
-        self.explore(8.0)
+        """What is near may leave no room to turn in: the exploration leads away from it, which takes some way."""
+        if self.explore(8.0):
+            time.sleep(2.0)
         services.explore(False)
 
     def _sees_the_new_map(self, before):
