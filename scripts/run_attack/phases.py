@@ -61,12 +61,13 @@ class Phases:
         return True
 
     def patrol(self):
-        """Circles, which need the least room; tried again after a turn where the way is not free."""
-        for _ in range(4):
+        """Circles, which need the least room; tried again elsewhere where the way is not free."""
+        for attempt in range(4):
+            if attempt > 0:
+                self._drive_on()
             self._patrol.send_goal(PatrolGoal(Vector3(PatrolGoal.CIRCLE, 0.15, 20.0)))
             if self._on_the_way(3.0):
                 return True
-            self._spin.send_goal_and_wait(SpinGoal(target_yaw=1.5), rospy.Duration(6.0), rospy.Duration(1.0))
         return False
 
     def spin(self):
