@@ -83,6 +83,15 @@ def clean_up_when_told_to_end():
         signal.signal(number, end)
 
 
+def _drop_what_stderr_does_not_take():
+    """Python would try once more at its end, and give an exit code of its own, 120."""
+    try:
+        if sys.stderr:
+            sys.stderr.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+
+
 def exit_with(main):
     """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 and one line if what it printed cannot be
     written, if the ROS master has ended, or for any other exception."""
@@ -103,7 +112,9 @@ def exit_with(main):
         say("%s: failed with %s: %s; with FRONTIER_PILOT_TRACEBACK=1 it says where" % (
             os.path.basename(sys.argv[0]), type(error).__name__, printable(str(error))), sys.stderr)
         code = 1
-    sys.exit(code if _written() else code or 1)
+    code = code if _written() else code or 1
+    _drop_what_stderr_does_not_take()
+    sys.exit(code)
 
 
 def answered(text):

@@ -122,6 +122,7 @@ class CommandLines(unittest.TestCase):
         self.assertIn('-stylesheet', err)
 
     def test_a_program_says_that_its_output_cannot_be_written_in_one_line(self):
+        buffered = {name: value for name, value in os.environ.items() if name != 'PYTHONUNBUFFERED'}
         for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report', 'map_log', 'mapper',
                      'check_robot', 'patrol_client', 'teleop_gui'):
             with self.subTest(program=name), open('/dev/full', 'w') as full:
@@ -129,7 +130,7 @@ class CommandLines(unittest.TestCase):
                                       timeout=60, stdin=subprocess.DEVNULL, universal_newlines=True)
                 self.assertEqual((done.returncode, done.stderr), (1, '%s: cannot write its output: No space left on device\n' % name))
                 done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stdout=full, stderr=full, timeout=60,
-                                      stdin=subprocess.DEVNULL)
+                                      stdin=subprocess.DEVNULL, env=buffered)
                 self.assertEqual(done.returncode, 1)
 
     def test_a_python_program_answers_help_also_with_closed_streams(self):
