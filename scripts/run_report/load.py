@@ -36,8 +36,8 @@ class Load:
         return numbers != sorted(numbers)
 
     def restarts(self):
-        """(time [s], node) of those that went on as another process, programs that people start aside. None after the clock was set back, when the samples of before and
-        after that lie between each other."""
+        """(time [s], node) of those that went on as another process, but for programs that people start. None after the clock was set
+        back, when the samples of before and after that lie between each other."""
         return [] if self.was_set_back() else self._restarts
 
     def rows(self):

@@ -95,8 +95,8 @@ void FleetWindow::receive(teleop::OpenedRobot robot) {
     showRobot(std::move(robot));
     return;
   }
-  if (is_shown) reopened_.clear();  // something was begun here meanwhile: later
-  if (is_wanted) chosen_ = shown_;  // it could not be opened, and may be chosen again
+  if (is_shown && robot.link) reopened_.clear();  // something was begun here meanwhile: later
+  if (is_wanted) chosen_ = shown_;                // it could not be opened, and may be chosen again
   if (!robot.link) return;
   robot.link->close();
   fleet_link_.retire(std::move(robot.link));

@@ -25,6 +25,15 @@ bool namesNoOctree(const std::string& yaml) {
   return compareWithYaml(yaml, SavedFile::kOctree, {}) == FileMatch::kNotMentioned;
 }
 
+/// Whether a YAML with this text mentions an octree; nothing if it cannot be parsed.
+std::optional<bool> namesAnOctree(const std::string& yaml) {
+  try {
+    return !namesNoOctree(yaml);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
@@ -62,16 +71,14 @@ MapIoResult MapFileSet::compareOctree(const std::string& content) const {
 
 bool MapFileSet::namesOctree() const {
   const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
-  try {
-    return text.ok() && !namesNoOctree(text.bytes);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
+  return text.ok() && namesAnOctree(text.bytes).value_or(false);
 }
 
 bool MapFileSet::isOfAnotherProgram() const {
+  const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
+  if (text.status == FileContent::Status::kMissing) return false;
   // Reading one that cannot be read as a map image reports what is wrong with it.
-  return readFile(yaml(), bounds::kMostYamlBytes).status != FileContent::Status::kMissing && !namesOctree();
+  return !text.ok() || !namesAnOctree(text.bytes).value_or(false);
 }
 
 std::string MapFileSet::wayOut() const {
@@ -103,13 +110,12 @@ std::optional<MapFileSet::Picture> MapFileSet::otherPicture() const {
 
 std::optional<std::string> MapFileSet::yamlOfPictureAlone() const {
   const std::optional<Picture> other = otherPicture();
-  if (!other || !other->counts || !namesOctree()) return {};
-  const std::string rest = withoutOctree(readFile(yaml(), bounds::kMostYamlBytes).bytes);
-  try {
-    if (namesNoOctree(rest)) return rest;
-  } catch (const std::invalid_argument&) {  // somebody has written the entry in another way
-  }
-  return {};
+  if (!other || !other->counts) return {};
+  const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
+  if (!text.ok() || !namesAnOctree(text.bytes).value_or(false)) return {};
+  std::string rest = withoutOctree(text.bytes);
+  // Somebody may have written the entry in another way.
+  return namesAnOctree(rest).value_or(true) ? std::nullopt : std::make_optional(std::move(rest));
 }
 
 fs::path MapFileSet::pictureOf(const std::string& yaml) const {

@@ -6,6 +6,7 @@
 #include "mapping/mapper_impl.h"
 
 namespace frontier_pilot::mapping {
+
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
   if (!canBeKnown(loaded, impl_->parameters)) return false;
   impl_->map.replaceBy(loaded);

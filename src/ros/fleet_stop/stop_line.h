@@ -33,12 +33,13 @@ class StopLine {
 
   const std::string& service() const { return service_; }
   bool connected() const { return connected_; }
-  /// The service may be another node's than that to which the line leads. A stop that no arbiter has signed is owed to
-  /// the one that has the service now.
+  /// The service may be another node's than that to which the line leads. A stop that was confirmed, but not by an
+  /// arbiter, is owed to the one that has the service now.
   void connectAnew() {
     const std::lock_guard<std::mutex> lock(mutex_);
     leads_elsewhere_ = true;
-    owed_ = owed_ || (asked_ > 0 && answered_ == asked_ && !isSigned(answer_.text));
+    const bool is_answered = answered_ == asked_ && answer_.outcome == StopOutcome::kConfirmed;
+    owed_ = owed_ || (is_answered && !isSigned(answer_.text));
   }
   /// Lets the thread end, without waiting for it: it has when `ended` is true.
   void end();

@@ -54,8 +54,7 @@ class BagReading {
   logs::ScanLog result() {
     if (anchor_.resets() > 0)
       log_.notes.push_back("jumps of odometry: " + std::to_string(anchor_.resets()) +
-                           ", taken for restarts of the base's driver: the robot has stayed "
-                           "where it was");
+                           ", taken for restarts of the base's driver: the robot has stayed where it was");
     if (!timing_.problem().empty()) log_.notes.push_back(timing_.problem());
     if (other_mapper_ > 0)
       log_.notes.push_back("left out: " + std::to_string(other_mapper_) + " recorded transforms to " + odom_frame_ +

@@ -32,13 +32,16 @@ std::string lastSetAside(const std::filesystem::path& base);
 
 namespace frontier_pilot {
 
-/// What is remembered beside the map that is kept for the next mapper.
-struct KeptPose {
+/// Where odometry is on a map, and whether the robot is there, as far as scans can tell.
+struct MapPose {
   Pose2 T_map_odom;
+  bool localized = false;  ///< false as well in a copy that an earlier version left
+};
+
+/// What is remembered beside the map that is kept for the next mapper.
+struct KeptPose : MapPose {
   /// The map that its mapper began with, as `mapFileName` tells it; nothing in a copy that an earlier version left.
   std::optional<std::string> map_file;
-  /// Whether the robot was there, as far as scans could tell; false in a copy that an earlier version left.
-  bool localized = false;
 };
 
 /// The parameter `map_file` as a whole path that can stand in a line; empty if there is none.

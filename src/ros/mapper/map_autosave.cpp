@@ -88,15 +88,15 @@ std::string MapAutosave::putAside() {
   return lost;
 }
 
-std::optional<KeptPose> MapAutosave::restore(occupancy::OccupancyMap& map) const {
+std::optional<MapPose> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   const std::optional<fs::path> base = find();
   if (!base && memory_.recallAll().empty()) return std::nullopt;
-  std::optional<KeptPose> pose = recall();
+  const std::optional<KeptPose> pose = recall();
   if (!pose) throw std::runtime_error("the pose that was saved with it cannot be read");
   if (!base) throw std::runtime_error("its files are gone" + keptBefore());
   const map_files::MapIoResult result = map_files::loadMap(base->string(), map);
   if (!result.ok()) throw std::runtime_error(result.text);
-  return pose;
+  return *pose;
 }
 
 /// Where an earlier map is that was put aside, and that nobody has confirmed to be lost.

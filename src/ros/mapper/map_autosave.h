@@ -26,12 +26,6 @@ struct MapContent {
   std::uint64_t rendered;  ///< how often it was rendered again, after which the robot is elsewhere on it
 };
 
-/// Where odometry is on a map, and whether the robot is there, as far as scans can tell.
-struct MapPose {
-  Pose2 T_map_odom;
-  bool localized = false;
-};
-
 /// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
 /// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
 /// At most three maps of earlier sessions are kept. [FLT-2]
@@ -48,7 +42,7 @@ class MapAutosave {
   std::string putAside();
   /// Reads the map of a mapper that died and returns its pose; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
-  std::optional<KeptPose> restore(occupancy::OccupancyMap& map) const;
+  std::optional<MapPose> restore(occupancy::OccupancyMap& map) const;
   /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`has` counts its changes),
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
@@ -90,7 +84,7 @@ class MapAutosave {
   /// What is remembered beside the copy; nothing if it cannot be read.
   std::optional<KeptPose> recall() const;
   std::string keptBefore() const;
-  std::string textOf(const MapPose& pose) const { return toText({pose.T_map_odom, map_file_, pose.localized}); }
+  std::string textOf(const MapPose& pose) const { return toText({pose, map_file_}); }
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   const std::string map_file_;

@@ -50,7 +50,7 @@ class MapperAdapter {
   };
   struct Restored {
     occupancy::OccupancyMap map;
-    KeptPose pose;
+    MapPose pose;
   };
 
   void connect();

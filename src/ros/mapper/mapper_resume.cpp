@@ -9,7 +9,7 @@ namespace frontier_pilot {
 void MapperAdapter::restore() {
   Restored restored{occupancy::OccupancyMap(parameters_.mapper.map), {}};
   try {
-    const std::optional<KeptPose> pose = autosave_.restore(restored.map);
+    const std::optional<MapPose> pose = autosave_.restore(restored.map);
     if (!pose) return;
     restored.pose = *pose;
     restored_.emplace(std::move(restored));
@@ -35,7 +35,7 @@ void MapperAdapter::putAside(const std::string& other_map_file) {
 /// Continues with that map, once the first odometry message has come.
 void MapperAdapter::resume(const Pose2& T_odom_base) {
   if (!restored_) return;
-  const KeptPose& pose = restored_->pose;
+  const MapPose& pose = restored_->pose;
   if (mapper_.resume(restored_->map, pose.T_map_odom, T_odom_base, pose.localized)) {
     ROS_WARN("continuing with the map that the mapper had when it died");
   } else {

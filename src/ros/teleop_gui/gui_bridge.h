@@ -93,7 +93,7 @@ class GuiBridge : public teleop::OperatorLink {
 
   std::mutex log_mutex_;  ///< guards only the log, because lines are added while other locks are held
   std::vector<teleop::OperatorLogLine> log_;
-  mutable std::mutex mutex_;  ///< guards the members that follow, up to sectors_
+  mutable std::mutex mutex_;  ///< guards the members that follow, up to avoider_parameters_
   teleop::ManualOutput manual_output_;
   SteadyTime last_motion_{};
   Latest<ArbiterStatus> arbiter_;
@@ -107,8 +107,7 @@ class GuiBridge : public teleop::OperatorLink {
   teleop::OperatorAnswer map_answer_;
   Latest<Twist2> command_;
   Latest<LaserScan2> scan_;
-  avoid::AvoiderParameters avoider_parameters_;
-  teleop::AvoiderSectors sectors_;
+  std::optional<avoid::AvoiderParameters> avoider_parameters_;  ///< none before the avoider was there
 
   Rejections nameless_{"switch of a source"};  ///< this and the next are used by the topics' thread alone
   std::set<std::string> said_nameless_;

@@ -125,14 +125,12 @@ void GuiBridge::onServiceUp(const std::string& service) {
     loadParameters(map, parameters);  // the avoider itself reports errors in them
     const std::lock_guard<std::mutex> lock(mutex_);
     avoider_parameters_ = parameters;
-    sectors_ = toSectors(avoider_parameters_);
   });
 }
 
 void GuiBridge::onAvoiderTuned(const dynamic_reconfigure::Config& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  avoider_parameters_ = tuned(avoider_parameters_, msg);
-  sectors_ = toSectors(avoider_parameters_);
+  avoider_parameters_ = tuned(avoider_parameters_.value_or(avoid::AvoiderParameters()), msg);
 }
 
 bool GuiBridge::manualOn(SteadyTime now) const {
@@ -175,7 +173,7 @@ teleop::OperatorState GuiBridge::state() {
   state.clear_refusal = clear_refusal_;
   state.map_answer = map_answer_;
   state.contact = contact_.fresh(now, kFresh);
-  state.sectors = sectors_;
+  if (avoider_parameters_) state.sectors = toSectors(*avoider_parameters_);
   show(arbiter_, now, state.arbiter);
   show(avoider_, now, state.avoider);
   show(explorer_, now, state.explorer);

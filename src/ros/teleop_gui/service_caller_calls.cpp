@@ -137,7 +137,7 @@ void ServiceCaller::perform(const Call& call) {
   const bool is_success = answer && answer->success;
   if (is_success && call.expected == Signature::kOfArbiter && !isSigned(answer->message))
     answer->message += (answer->message.empty() ? "" : "; ") + unsignedAnswerOf(call.service);
-  if (answered_) answered_(call.service, answer && answer->success, answer ? answer->message : none);
+  if (answered_) answered_(call.service, is_success, answer ? answer->message : none);
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
   const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");
   log_(severityOfAnswer(answer->success, said), (call.path.empty() ? call.text() : call.service) + ": " + said);

@@ -186,6 +186,18 @@ TEST_F(FleetWindowTest, ARobotThatWasOpenedBeforeItRanIsOpenedAgainWhenItRuns_GU
   EXPECT_FALSE(QTest::qWaitFor([this] { return fleet_.asked.size() > 3; }, 500));
 }
 
+// [GUI-2] [GUI-3]
+TEST_F(FleetWindowTest, ARobotThatCannotBeOpenedAgainIsNotTriedForEver_GUI_2_GUI_3) {
+  fleet_.described = false;
+  fleet_.links["robot1"].shown.arbiter.reset();
+  openOnRobots();
+  fleet_.broken = true;
+  fleet_.links["robot1"].shown.arbiter.emplace();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fleet_.asked.size() == 2; }));
+  EXPECT_FALSE(QTest::qWaitFor([this] { return fleet_.asked.size() > 2; }, 1000));
+  EXPECT_EQ(window_->shown(), "robot1");
+}
+
 // [GUI-3] until the next robot is there, the window goes on with the one that it shows
 TEST_F(FleetWindowTest, ARobotThatDoesNotOpenLeavesTheOneThatIsShown_GUI_3) {
   openOnRobots();

@@ -14,7 +14,7 @@ namespace {
 TEST(KeptPose, IsReadBackExactlyWithTheFileThatItsMapperBeganWith_FLT_2) {
   for (const std::string file : {"", "/maps/floor", "/maps/with a space", "/maps/x map_file:=y"}) {
     for (const bool localized : {false, true}) {
-      const auto kept = toKeptPose(toText({Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1), file, localized}));
+      const auto kept = toKeptPose(toText({{Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1), localized}, file}));
       ASSERT_TRUE(kept);
       EXPECT_EQ(kept->T_map_odom, Pose2(1.0 / 3.0, -2.0e5 / 7.0, 0.1));
       EXPECT_EQ(kept->map_file, file);

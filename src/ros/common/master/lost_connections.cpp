@@ -95,7 +95,7 @@ void LostConnections::mend(const MasterState& state, const std::vector<std::stri
                            const UrisByTopic& connected) {
   const NodesByName lost = findLost(state, subscribed, connected);
   std::vector<std::string> keys;
-  std::set<std::pair<std::string, std::string>> missing;
+  std::set<LateConnections::Connection> missing;
   for (const auto& [topic, publishers] : lost) {
     for (const std::string& publisher : publishers) {
       keys.push_back(keyOf(topic, publisher));

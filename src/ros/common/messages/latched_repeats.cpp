@@ -16,10 +16,10 @@ std::string valueOf(const ros::M_string& header, const char* key) {
 
 }  // namespace
 
-void LateConnections::note(const std::set<std::pair<std::string, std::string>>& missing, SteadyTime now) {
+void LateConnections::note(const std::set<Connection>& missing, SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   constexpr Duration kLateAfter = std::chrono::milliseconds(800);
-  std::map<std::pair<std::string, std::string>, SteadyTime> since;
+  std::map<Connection, SteadyTime> since;
   for (const auto& connection : missing) {
     const auto before = since_.find(connection);
     since[connection] = before == since_.end() ? now : before->second;

@@ -23,16 +23,18 @@ constexpr Duration kSettling = std::chrono::seconds(2);
 /// several threads.
 class LateConnections {
  public:
-  /// What is missing in one look, as (topic, publisher). What has been missing for almost a second is late, because a
+  using Connection = std::pair<std::string, std::string>;  ///< topic and publisher
+
+  /// What is missing in one look. What has been missing for almost a second is late, because a
   /// connection takes its time to be made.
-  void note(const std::set<std::pair<std::string, std::string>>& missing, SteadyTime now);
+  void note(const std::set<Connection>& missing, SteadyTime now);
   /// Whether the publisher was late until a moment ago.
   bool has(const std::string& topic, const std::string& publisher, SteadyTime now) const;
 
  private:
-  mutable std::mutex mutex_;                                         ///< guards all that follow
-  std::map<std::pair<std::string, std::string>, SteadyTime> since_;  ///< when each was missing first
-  std::map<std::pair<std::string, std::string>, SteadyTime> late_;   ///< when each that is late was missing last
+  mutable std::mutex mutex_;                ///< guards all that follow
+  std::map<Connection, SteadyTime> since_;  ///< when each was missing first
+  std::map<Connection, SteadyTime> late_;   ///< when each that is late was missing last
 };
 
 /// Those of this process.
@@ -67,7 +69,7 @@ class LatchedRepeats {
   std::deque<std::pair<std::string, Header>> heard_;  ///< by publisher: the connection by which it was heard last
 };
 
-/// The same for a node that was started after another one of its name, which has had the commands of that time; zero
+/// `kSettling` for a node that was started after another one of its name, which has had the commands of that time; zero
 /// for others: a goal that is latched before the navigation is there at all is meant for it.
 Duration settlingOfARestart();
 
