@@ -20,10 +20,10 @@ RUN apt-get update \
       libgl1-mesa-dri qtwayland5 python3-rosmsg python3-rosparam \
  && rm -rf /tmp/packages /var/lib/apt/lists/*
 RUN useradd --create-home --uid 1000 pilot
-COPY docker/entry_point /usr/local/bin/entry_point
+COPY docker/entry_point docker/explore scripts/running_system.py scripts/command_line.py /usr/local/bin/
 USER pilot
 WORKDIR /home/pilot
 RUN mkdir .ros  # so that a volume that is mounted here belongs to this user
 ENV LC_ALL=C.UTF-8
 ENTRYPOINT ["/usr/local/bin/entry_point"]
-CMD ["roslaunch", "frontier_pilot", "system.launch", "explore:=true", "gui:=false", "rviz:=false"]
+CMD ["explore"]

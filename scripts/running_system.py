@@ -2,7 +2,8 @@
 """Says whether a robot, a simulation or a recording already runs at the ROS master of ROS_MASTER_URI.
 
 scripts/run asks it before it launches: a second simulator would set simulated time for that robot, and the exploration would
-start there. Whoever publishes a topic clock, map, odom or scan, in any namespace, is a reason; a roscore, rviz or rqt is none.
+start there. Whoever publishes a topic clock, map, odom or scan, or a laser scan, odometry or a clock under any other name, and
+whoever drives by a topic cmd_vel, is a reason, in any namespace; a roscore, rviz, rqt or rostopic is none.
 
 Exit code: 0 if nothing of this kind runs there, 1 if it does, or if the master does not answer: why, and what to do, is printed;
 2 for wrong arguments.
@@ -17,18 +18,35 @@ from command_line import CommandLine, end_quietly_until_main, exit_with, printab
 if __name__ == '__main__':
     end_quietly_until_main()
 
-TELLING = {'clock', 'map', 'odom', 'scan'}  # the last word of a topic
+TELLING = {'clock', 'map', 'odom', 'scan'}  # the last word of a topic that is published
+TELLING_TYPES = {'rosgraph_msgs/Clock', 'nav_msgs/Odometry', 'sensor_msgs/LaserScan'}
+COMMANDS = 'cmd_vel'  # the last word of a topic that a base listens to
+ONLOOKERS = ('/rostopic_', '/rqt', '/rviz', '/record_')  # how the names of nodes begin that only show what they hear
 PATIENCE = 4.0  # for the answer of the master [s]
 ADVICE = 'end it first%s, or choose another port for this run: export ROS_MASTER_URI=http://127.0.0.1:PORT'
 
 
-def publishers_at(uri):
-    """Topics, and a node that publishes each, as the master at this address lists them; none if there is no master."""
+def reasons_at(uri):
+    """What the master at this address lists that a robot or a simulation has: who does what; none if there is no master."""
     try:
-        listed = xmlrpc.client.ServerProxy(uri).getSystemState('/running_system')[2][0]
-        return [(str(topic), str(nodes[0])) for topic, nodes in listed if nodes]
+        master = xmlrpc.client.ServerProxy(uri)
+        published, subscribed = master.getSystemState('/running_system')[2][:2]
+        published = [(str(topic), str(nodes[0])) for topic, nodes in published if nodes]
+        listening = [(str(topic), str(node)) for topic, nodes in subscribed for node in nodes]
     except Exception:  # what the library throws depends on what answers there
         return []  # roslaunch starts a master, or says what is wrong with the address
+    try:
+        types = {str(topic): str(kind) for topic, kind in master.getTopicTypes('/running_system')[2]}
+    except Exception:
+        types = {}  # their names tell enough of most
+    return [('%s publishes %s', node, topic) for topic, node in published
+            if last_word(topic) in TELLING or types.get(topic) in TELLING_TYPES] + [
+                ('%s listens to %s', node, topic) for topic, node in listening
+                if last_word(topic) == COMMANDS and not node.startswith(ONLOOKERS)]
+
+
+def last_word(topic):
+    return topic.split('/')[-1]
 
 
 def within(seconds, work):
@@ -43,13 +61,12 @@ def within(seconds, work):
 
 def problem_at(uri):
     """Why nothing must be launched at this master; empty: nothing speaks against it."""
-    publishers = within(PATIENCE, lambda: publishers_at(uri))
-    if publishers is None:
+    reasons = within(PATIENCE, lambda: reasons_at(uri))
+    if reasons is None:
         return 'what listens at %s does not answer as a ROS master within %.0f s: ' % (uri, PATIENCE) + ADVICE % ''
-    for topic, node in publishers:
-        if topic.split('/')[-1] in TELLING:
-            return '%s publishes %s at the ROS master %s, where a robot or a simulation already runs: ' % (
-                printable(node, 100), printable(topic, 100), uri) + ADVICE % ' (rosnode cleanup, if it has died)'
+    for said, node, topic in reasons[:1]:
+        return (said + ' at the ROS master %s, where a robot or a simulation already runs: ') % (
+            printable(node, 100), printable(topic, 100), uri) + ADVICE % ' (rosnode cleanup, if it has died)'
     return ''
 
 
