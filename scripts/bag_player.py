@@ -22,7 +22,6 @@ if __name__ == '__main__':
     end_quietly_until_main()
 
 import rospy  # noqa: E402
-from frontier_pilot.srv import SaveMap  # noqa: E402
 from geometry_msgs.msg import TransformStamped  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 from nav_msgs.srv import GetMap  # noqa: E402
@@ -33,6 +32,7 @@ from tf2_msgs.msg import TFMessage  # noqa: E402
 from bag_drive import LATCHED, LEAD_IN, Drive  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
 import ros_program  # noqa: E402
+from saved_maps import Saved, save_map  # noqa: E402
 
 PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump
@@ -188,17 +188,6 @@ def say_what_was_mapped(drive, player):
                   grid.info.width * grid.info.resolution, grid.info.height * grid.info.resolution, area)
 
 
-def save_map(path):
-    """Whether the map was saved."""
-    try:
-        answer = rospy.ServiceProxy('mapper/save_map', SaveMap)(path)
-    except rospy.ServiceException as error:
-        rospy.logerr('the map is not saved: %s', error)
-        return False
-    (rospy.loginfo if answer.success else rospy.logerr)(answer.message)
-    return answer.success
-
-
 def main():
     CommandLine(__doc__, 'rosrun frontier_pilot bag_player.py _bag:=/path/drive.bag _speed:=2').parse_args(rospy.myargv()[1:])
     os.environ.setdefault('ROSCONSOLE_FORMAT', '[${severity}] [${time}] [${node}]: ${message}')  # as the other nodes of the launch
@@ -227,7 +216,7 @@ def main():
             say('bag_player: ended before the end of the bag: no map is saved as %s' % path, sys.stderr)
         return 1
     say_what_was_mapped(drive, player)
-    saved = save_map(path) if path else True
+    saved = save_map(path) is Saved.WHERE_ASKED if path else True
     if rospy.get_param('~stay', False):
         player.speed = 1.0
         player.run_until(math.inf)

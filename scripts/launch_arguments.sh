@@ -81,7 +81,8 @@ check_value() {
       [ -f "$(world_file "$root" "$value")" ] ||
         wrong_argument "$value" "world: there is no file '$value'; in $root/config/worlds are $(names_in "$root/config/worlds")" ;;
     robot)
-      [ -f "$root/config/robots/$value.yaml" ] || [ -f "$value" ] ||
+      # Like the launch files: a word alone is a name, whatever file there is.
+      [ -f "$root/config/robots/$value.yaml" ] || { [[ $value == */* || $value == *.yaml ]] && [ -f "$value" ]; } ||
         wrong_argument "$value" \
           "robot: there is neither a robot nor a file '$value'; robots are $(names_in "$root/config/robots")" ;;
     map)

@@ -1,5 +1,6 @@
 """Has the mapper save its map: under a name that no map has yet, and elsewhere where that cannot be written."""
 import datetime
+import enum
 import os
 import sys
 
@@ -27,23 +28,31 @@ class NotSaved(Exception):
     """Why the mapper has not written a map."""
 
 
+class Saved(enum.Enum):
+    """Where a map was saved."""
+    WHERE_ASKED = 1
+    ELSEWHERE = 2  # in the spare folder, because it could not be written where it was to be
+    NOWHERE = 3
+
+
 def save_map(prefix):
-    """Returns whether the mapper has written the map where it was to be, and prints where it is, or why it is not: if that fails it is
-    asked once more, as it may just have been started again, and then for another folder, because the map is lost when it ends."""
+    """Has the mapper save the map, and prints where it is, or why it is not: if that fails it is asked once more, as it may just have
+    been started again, and then for another folder, because the map is lost when it ends."""
     spare = os.path.abspath(os.path.join(rospkg.get_ros_home(), 'frontier_pilot', 'maps'))
     def wanted():
         return prefix or default_prefix()
-    for path_of, outlook in ((wanted, '; it is tried once more'), (wanted, '; another folder is tried, %s' % spare),
-                             (lambda: default_prefix(spare), '')):
+    for path_of, where, outlook in ((wanted, Saved.WHERE_ASKED, '; it is tried once more'),
+                                    (wanted, Saved.WHERE_ASKED, '; another folder is tried, %s' % spare),
+                                    (lambda: default_prefix(spare), Saved.ELSEWHERE, '')):
         try:
             ask_to_save(path_of)
-            return path_of is wanted
+            return where
         except (OSError, NotSaved, rospy.ServiceException) as error:
             say('The map could not be saved: %s%s' % (error, outlook), sys.stderr)
         except rospy.ROSException as error:  # there is no mapper that could be asked again
             say('The map could not be saved: %s' % error, sys.stderr)
-            return False
-    return False
+            return Saved.NOWHERE
+    return Saved.NOWHERE
 
 
 def ask_to_save(path_of):
@@ -58,16 +67,20 @@ def ask_to_save(path_of):
     except Exception:
         remove_empty(path + '.pgm')
         raise
-    say('Map saved: %s' % answer.message.removeprefix('saved '))  # the mapper leaves an extension such as .yaml out of the names
+    # The mapper leaves an extension such as .yaml out of the names. It has written elsewhere what was made here and is still empty.
+    say('Map saved: %s%s' % (answer.message.removeprefix('saved '),
+                             ', on the computer of the mapper' if remove_empty(path + '.pgm') else ''))
 
 
 def remove_empty(path):
-    """Removes a picture that was made to take its name."""
+    """Removes a picture that was made to take its name; returns whether there was one."""
     try:
         if os.path.getsize(path) == 0:
             os.remove(path)
+            return True
     except OSError:
         pass  # there is none, or its disk is gone
+    return False
 
 
 def free_prefix(prefix):

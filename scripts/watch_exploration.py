@@ -4,7 +4,8 @@ or when its terminal or what reads its output has been closed. A second Ctrl-C d
 explorer that has died, unless the program that started it has ended too.
 
 Exit code: 0 when no reachable frontier is left, or a stopping rule has ended the exploration, and the map was saved where it was to be,
-130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal was closed, 141 when nobody reads the output any more, 1 otherwise.
+130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal was closed, 141 when nobody reads the output any more, 3 when the exploration
+has ended and the map could not be saved anywhere, 1 otherwise.
 """
 import argparse
 import math
@@ -27,7 +28,7 @@ import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with, say  # noqa: E402
 from run_recording.topics import TOPICS  # noqa: E402
 from run_report.progress import Counts  # noqa: E402
-from saved_maps import free_prefix, save_map  # noqa: E402
+from saved_maps import Saved, free_prefix, save_map  # noqa: E402
 
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
@@ -35,6 +36,7 @@ LEAST_CHANGE, LEAST_WAY = 0.1, 0.2  # of the explored area [m^2] and of the way 
 SILENCE = 10.0  # [s], after which an explorer that is not heard is said to be silent
 FAREWELL = 30.0  # [s] of silence after which an explorer counts as dead, once the program that started this one has ended
 PERIODS = 0.2, 3600.0  # of the progress lines [s]
+NOT_SAVED = 3  # the exit code
 TOGETHER = 0.5  # [s], within which two signals are one
 
 # The ends that the stopping rules of the explorer have asked for.
@@ -189,15 +191,17 @@ class Starter:
             say('The exploration could not be started, it is tried again: %s' % error)
 
 
-def save_what_was_mapped_since(watcher, interrupt, prefix):
-    """Waits without a word until it is told to end, and saves the map if it may have changed meanwhile, under a name that no map has.
-    It ends with the process that has started it."""
+def save_at_the_end(watcher, interrupt, prefix, saved_already):
+    """Waits without a word until it is told to end, and saves the map then; if it was saved already, only if it may have changed
+    meanwhile, and under a name that no map has. It ends with the process that has started it."""
     begin, parent = None, os.getppid()
     while not rospy.is_shutdown() and not interrupt.number and os.getppid() == parent:
         watcher.stay_connected()
         begin = begin or watcher.status
         time.sleep(0.2)
-    if begin and has_changed(begin, watcher.status):
+    if not saved_already:
+        save_what_is_there(watcher, 'It is not saved yet', prefix)
+    elif begin and has_changed(begin, watcher.status):
         say('\nThe robot has driven on since the map was saved: saving it again ...')
         save_map(prefix and free_prefix(prefix))
     return 128 + interrupt.number
@@ -275,6 +279,7 @@ def main():
                         help='start the exploration as soon as the run is recorded, or after %.0f s without that' % RECORDER_START)
     parser.add_argument('--saved-already', action='store_true',
                         help='only wait until it is told to end, and save the map beside the one of before if it has changed since')
+    parser.add_argument('--save-at-end', action='store_true', help='only wait until it is told to end, and save the map then')
     parser.add_argument('--period', type=period_in, default=5.0,
                         help='seconds between two progress lines, from %g to %g (5)' % PERIODS)
     arguments = parser.parse_args(rospy.myargv()[1:])
@@ -287,8 +292,8 @@ def main():
                              argv=words, anonymous=True, disable_signals=True):
         return 128 + interrupt.number if interrupt.number else 1
     watcher = Watcher(arguments.period)
-    if arguments.saved_already:
-        return save_what_was_mapped_since(watcher, interrupt, arguments.map)
+    if arguments.saved_already or arguments.save_at_end:
+        return save_at_the_end(watcher, interrupt, arguments.map, arguments.saved_already)
     starter = Starter() if arguments.start_when_recorded else None
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
         if not watcher.progress():
@@ -305,7 +310,10 @@ def main():
     if not watcher.done():
         return 1
     as_asked = say_the_end(watcher, began)
-    return 0 if save_map(arguments.map) and as_asked else 1
+    saved = save_map(arguments.map)
+    if saved is Saved.NOWHERE:
+        return NOT_SAVED
+    return 0 if saved is Saved.WHERE_ASKED and as_asked else 1
 
 
 if __name__ == '__main__':

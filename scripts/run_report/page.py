@@ -34,8 +34,12 @@ def table(heads, rows, css=''):
         return '<%s%s>%s</%s>' % (tag, ' class="%s"' % kind if kind else '', escape(str(text)), tag)
     lines = ['<tr>%s</tr>' % ''.join(cell('th', head) for head in heads)]
     lines += ['<tr>%s</tr>' % ''.join(cell('td', content) for content in row) for row in rows[:MOST_ROWS]]
-    more = '<p class="quiet">and %d more</p>' % (len(rows) - MOST_ROWS) if len(rows) > MOST_ROWS else ''
-    return '<div class="wide"><table class="%s">%s</table></div>%s' % (css, '\n'.join(lines), more)
+    return '<div class="wide"><table class="%s">%s</table></div>%s' % (css, '\n'.join(lines), those_left_out(rows))
+
+
+def those_left_out(rows):
+    """How many come after the most that are shown; empty if none do."""
+    return '<p class="quiet">and %d more</p>' % (len(rows) - MOST_ROWS) if len(rows) > MOST_ROWS else ''
 
 
 def section(name, title, *contents, about=''):
@@ -66,8 +70,9 @@ def summary_section(run):
     tiles = ''.join('<div class="tile%s" data-figure="%s" data-value="%.6g"><b>%s</b><span>%s</span></div>' % (
         ' alarm' if name in ('stops', 'contacts', 'goals_failed') and value else '', name, value, escape(text), escape(label))
         for name, label, value, text in summary.tiles(run))
-    items = ''.join('<li>%s %s</li>' % (badge(level), escape(text)) for level, text in summary.to_look_at(run)[:MOST_ROWS])
-    look = '<h3>Worth a look</h3><ul class="look">%s</ul>' % items if items else \
+    found = summary.to_look_at(run)
+    items = ''.join('<li>%s %s</li>' % (badge(level), escape(text)) for level, text in found[:MOST_ROWS])
+    look = '<h3>Worth a look</h3><ul class="look">%s</ul>%s' % (items, those_left_out(found)) if items else \
         '<p class="fine">Nothing went wrong: no stop, no contact, no error in the diagnostics, and no node that had to be started again.</p>'
     return '<section id="summary"><p class="lead">%s</p><div class="tiles">%s</div>%s</section>\n' % (escape(words), tiles, look)
 

@@ -161,12 +161,13 @@ class Run:
         return starts + ends
 
     def _find_frames(self, bags, names):
-        """The frames of the map and of the robot, from the first messages that name them; the latter from the parameters of a
-        robot that publishes odometry as a transform alone."""
+        """The frame of the map, from the first message that names it, and those that may be the robot's: the one that its odometry
+        names, if it names any, and the one of the parameters."""
         robot = inside((self.start_info or {}).get('parameters', {}), self.namespace() + '/navigator/robot')
-        self.track.base_frame = bare(str(robot.get('base_frame', self.track.base_frame)))
+        if 'base_frame' in robot:
+            self.track.base_frames = [bare(str(robot['base_frame']))]
         for role, take in (('map', lambda m: setattr(self.track, 'map_frame', bare(m.header.frame_id))),
-                           ('odom', lambda m: setattr(self.track, 'base_frame', bare(m.child_frame_id)))):
+                           ('odom', lambda m: self.track.base_frames.insert(0, bare(m.child_frame_id)))):
             if role in names:
                 for _, message, _ in bags.messages([names[role]]):
                     try:

@@ -8,6 +8,7 @@ from .progress import DONE, NAVIGATING
 from .warnings import Warnings
 
 # What a page cannot tell of a record that lacks a topic.
+MOST_STOPS = 20  # that are listed one by one
 NOT_RECORDED = (('cmd_vel_arbiter/status', 'Nothing of the arbiter was recorded: whether the robot was stopped, and who drove it, is not known.'),
                 ('/diagnostics', 'No diagnostics were recorded: whether a node found something wrong is not known.'))
 
@@ -36,7 +37,9 @@ def first_parameter(run, *names):
 
 
 def is_simulated(run):
-    return bool(first_parameter(run, 'simulator', 'world'))
+    """Also told by the clock: the parameters of an earlier simulation stay at the master."""
+    clock_is_simulated = (run.start_info or {}).get('parameters', {}).get('use_sim_time') is True
+    return clock_is_simulated and bool(first_parameter(run, 'simulator', 'world'))
 
 
 def subject(run):
@@ -118,8 +121,11 @@ def to_look_at(run):
     """What deserves a look: (level, words)."""
     items = [('WARN', note) for note in run.notes]
     items += [('WARN', words) for role, words in NOT_RECORDED if role not in run.heard]
-    for begin, end, cause in run.stop.those(run.end):
-        items.append(('ERROR', 'Emergency stop at %s, for %s: %s' % (clock(begin - run.begin), duration(end - begin), cause)))
+    stops = [('ERROR', 'Emergency stop at %s, for %s: %s' % (clock(begin - run.begin), duration(end - begin), cause))
+             for begin, end, cause in run.stop.those(run.end)]
+    items += stops[:MOST_STOPS]
+    if len(stops) > MOST_STOPS:
+        items.append(('ERROR', 'There were %d more emergency stops.' % (len(stops) - MOST_STOPS)))
     contacts = run.contact.those(run.end)
     if contacts:
         items.append(('ERROR', 'The robot touched something %s, for %s in all, first at %s.' % (

@@ -18,10 +18,11 @@ def bare(frame):
 
 
 class Track:
-    """Follows the transforms between frames, and keeps the poses of the robot in the frame of the map."""
+    """Follows the transforms between frames, and keeps the poses of the robot in the frame of the map: of the first of `base_frames`
+    that is connected to it."""
 
-    def __init__(self, map_frame='map', base_frame='base_footprint'):
-        self.map_frame, self.base_frame = map_frame, base_frame
+    def __init__(self, map_frame='map', base_frames=('base_footprint',)):
+        self.map_frame, self.base_frames = map_frame, list(base_frames)
         self.parents = {}  # child: (parent, x, y, yaw)
         self.poses = []  # (time [s], x, y, yaw)
         self.length = 0.0  # [m], without jumps
@@ -37,7 +38,10 @@ class Track:
 
     def locate(self):
         """The pose of the robot in the map; None while the frames are not connected."""
-        frame, x, y, yaw = self.base_frame, 0.0, 0.0, 0.0
+        return next((pose for pose in map(self._pose_of, self.base_frames) if pose is not None), None)
+
+    def _pose_of(self, frame):
+        x, y, yaw = 0.0, 0.0, 0.0
         for _ in range(16):  # frames that form a ring must not hold us up
             if frame == self.map_frame:
                 return x, y, yaw

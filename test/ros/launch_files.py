@@ -98,6 +98,15 @@ class LaunchFilesTest(unittest.TestCase):
                 own = LDS_01
             self.assertEqual(of_the_robot, dict(expected, **own), file + ' ' + name)
 
+    def test_the_mapper_of_a_recorded_drive_takes_the_names_that_the_player_gives(self):
+        """[ROB-1]"""
+        foreign = ROOT + '/test/system/foreign_robot.yaml'
+        with open(foreign) as file:
+            robot_of_the_file = yaml.safe_load(file)
+        self.assertNotEqual(robot_of_the_file.get('odom_frame', 'odom'), 'odom')
+        params = {name: param.value for name, param in self.config(ROOT + '/launch/play.launch', robot=foreign, base_frame='base').params.items()}
+        self.assertEqual([params['/mapper/robot/' + name] for name in ('odometry', 'odom_frame', 'base_frame')], ['topic', 'odom', 'base'])
+
     def test_every_node_of_every_launch_file_is_given_the_robot(self):
         """[ROB-1]"""
         for file in FILES:

@@ -23,7 +23,8 @@ from run_of_the_script import ROOT, RUN, RunTestCase, command_of, environment, h
 
 class RunScript(RunTestCase):
     def test_it_refuses_what_the_launch_file_does_not_have_and_says_what_there_is(self):
-        for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('world:=nowhere', 'office'), ('robot:=tank', 'waffle'),
+        pathlib.Path(self.folder.name, 'my_robot').write_text('disc_radius: 0.2\n')  # only with a / or .yaml it is a file
+        for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('world:=nowhere', 'office'), ('robot:=tank', 'waffle'), ('robot:=my_robot', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
                             ('map:=/tmp/none/', 'is a folder'),
@@ -36,7 +37,7 @@ class RunScript(RunTestCase):
                             ('localize_only:=true', 'map_file'), ('localize_only:=true map_file:=none', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
                 code, out, err = self.run_to_the_end(*word.split(' '))
-                self.assertEqual((code, out), (2, ''))
+                self.assertEqual((code, out), (2, ''), err)
                 self.assertIn(words, err)
                 self.assertEqual(err.strip().count('\n'), 0, err)
 
@@ -76,10 +77,16 @@ class RunScript(RunTestCase):
         self.assertRegex(err, "^scripts/run: only 64 files may be open at once, .* 'ulimit -n 1024' allows more\n$")
 
     def test_surroundings_with_which_ros_cannot_work_are_refused_before_anything_is_built(self):
+        unwritable = os.path.join(self.folder.name, 'old')  # where the log of a build cannot be opened
+        os.makedirs(os.path.join(unwritable, 'build.log'))
         address = 'ROS_MASTER_URI is %s, which is not the address of a ROS master, such as http://localhost:11311'
         for name, value, words in (
                 ('HOME', '/proc/nobody', "ROS cannot write its logs to /proc/nobody/.ros; 'export ROS_HOME=FOLDER' takes another folder"),
                 ('TMPDIR', '/nowhere', "temporary files cannot be made in /nowhere; 'export TMPDIR=FOLDER' takes another folder"),
+                ('FRONTIER_PILOT_BUILD', '/proc/nowhere', "nothing can be written to /proc/nowhere/build.log, in the folder of the build; "
+                 "'export FRONTIER_PILOT_BUILD=FOLDER' takes another folder"),
+                ('FRONTIER_PILOT_BUILD', unwritable, "nothing can be written to %s/build.log, in the folder of the build; "
+                 "'export FRONTIER_PILOT_BUILD=FOLDER' takes another folder" % unwritable),
                 ('ROS_MASTER_URI', 'robot', address % "'robot'"), ('ROS_MASTER_URI', 'http://robot', address % "'http://robot'"),
                 ('ROS_MASTER_URI', 'http://robot:99999', address % "'http://robot:99999'"),
                 ('ROS_MASTER_URI', 'http://robot:0', address % "'http://robot:0'")):

@@ -15,11 +15,11 @@ WATCHER = '''#!/bin/bash
 trap 'echo saved again >>"$WATCHED"; exit 143' TERM
 echo "$@" >>"$WATCHED"
 for ((i = 0; i < EXPLORES; i++)); do sleep 0.05; done
-[[ " $* " == *' --saved-already '* ]] || exit 0  # the exploration is done
+[[ " $* " == *' --saved-already '* || " $* " == *' --save-at-end '* ]] || exit "$WATCHER_CODE"  # the exploration is done
 while :; do sleep 0.05; done
 '''
 FAILING_LAUNCH = '() { echo "RLException: run_id on parameter server does not match declared run_id: 1 vs 2"; return 1; }'
-LAUNCH = '() { trap "exit 0" INT; touch "$LAUNCHED"; while [ ! -e "$LAUNCH_ENDS" ]; do sleep 0.05; done; }'
+LAUNCH = '() { trap "exit 0" INT; echo "$@" >"$LAUNCHED"; while [ ! -e "$LAUNCH_ENDS" ]; do sleep 0.05; done; }'
 
 
 class RunWindows(unittest.TestCase):
@@ -33,7 +33,7 @@ class RunWindows(unittest.TestCase):
         scripts, build, self.caller = self.folder / 'root/scripts', self.folder / 'build', self.folder / 'caller'
         for made in scripts, build / 'devel', self.caller, self.folder / 'root/launch':
             made.mkdir(parents=True)
-        for name in 'run', 'command_line.sh', 'launch_arguments.sh', 'surroundings.sh':
+        for name in 'run', 'command_line.sh', 'launch_arguments.sh', 'surroundings.sh', 'up_to_date_build.sh':
             shutil.copy(ROOT / 'scripts' / name, scripts / name)
         shutil.copy(ROOT / 'launch/system.launch', self.folder / 'root/launch')
         for name, text in (('setup', ''), ('running_system.py', ''), ('report', 'echo /report.html'), ('bounded_log.py', 'cat >"$1"'),
@@ -44,10 +44,10 @@ class RunWindows(unittest.TestCase):
             (build / name).write_text('')
         self.watched, self.launch_ends = self.folder / 'watched', self.folder / 'launch_ends'
 
-    def start(self, *words, display=':9', launch=LAUNCH, explores=0):
+    def start(self, *words, display=':9', launch=LAUNCH, explores=0, code=0):
         environment = dict(os.environ, FRONTIER_PILOT_BUILD=str(self.folder / 'build'), DISPLAY=display, WATCHED=str(self.watched),
                            ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', ROS_MASTER_URI=self.master, LAUNCHED=str(self.folder / 'launched'), HOME=str(self.folder),
-                           LAUNCH_ENDS=str(self.launch_ends), EXPLORES=str(explores), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
+                           LAUNCH_ENDS=str(self.launch_ends), EXPLORES=str(explores), WATCHER_CODE=str(code), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
         process = subprocess.Popen([str(self.folder / 'root/scripts/run'), *words], cwd=self.caller, env=environment, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
@@ -60,15 +60,16 @@ class RunWindows(unittest.TestCase):
             process.send_signal(signal.SIGINT)  # killed, it would leave the watcher, which holds its output
         process.communicate(timeout=60)
 
-    def start_until_done(self, *words, record='false'):
-        process = self.start('record:=' + record, *words)
+    def start_until_done(self, *words, record='false', code=0):
+        process = self.start('record:=' + record, *words, code=code)
         for line in process.stdout:
             if line.startswith('Launching; '):
                 self.logs = pathlib.Path(line.split(' goes to ')[1].split(',')[0]).parent
             if line.startswith('The system runs on'):
+                self.outlook = line
                 break
         end = time.monotonic() + 30.0
-        while '--saved-already' not in self.watched.read_text() and time.monotonic() < end:
+        while self.watched.read_text().count('--map') < 2 and time.monotonic() < end:
             time.sleep(0.05)
         return process
 
@@ -80,11 +81,37 @@ class RunWindows(unittest.TestCase):
         map_option = '--map %s/floor' % self.caller
         self.assertEqual(self.watched.read_text().splitlines(), [map_option, map_option + ' --saved-already', 'saved again'])
 
+    def test_ctrl_c_saves_what_could_not_be_saved_after_the_exploration(self):
+        """[FLT-2]"""
+        process = self.start_until_done('map:=floor', code=3)
+        self.assertIn('tries again to save the map, which is saved nowhere yet', self.outlook)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        map_option = '--map %s/floor' % self.caller
+        self.assertEqual(self.watched.read_text().splitlines(), [map_option, map_option + ' --save-at-end', 'saved again'])
+
+    def test_a_map_that_could_not_be_saved_is_a_failure_of_the_run(self):
+        process = self.start('map:=floor', 'gui:=false', 'rviz:=false', 'record:=false', display='', code=3)
+        self.launch_ends.touch()
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+
     def test_a_value_may_begin_with_the_home_folder(self):
         process = self.start_until_done('map:=~/maps of today/floor')
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         self.assertIn('--map %s/maps of today/floor' % self.folder, self.watched.read_text().splitlines())
+
+    def test_the_name_of_a_saved_map_may_look_like_a_number(self):
+        for name, handed_on in (('007', './007'), ('/007', '/007'), ('none', 'none')):
+            (self.caller / '007.yaml').write_text('')
+            words = ('map_file:=%s%s' % (self.caller if name[0] == '/' else '', name), 'map:=floor')
+            process = self.start_until_done(*words)
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+            said = (self.folder / 'launched').read_text()
+            self.assertIn('map_file:=%s%s ' % (self.caller if name[0] == '/' else '', handed_on), said.strip() + ' ')
 
     def test_ctrl_z_does_not_leave_a_robot_that_drives_on(self):
         """[FLT-1]"""

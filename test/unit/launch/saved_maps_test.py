@@ -12,6 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / 'scripts'))
 import rospy  # noqa: E402
 import saved_maps  # noqa: E402
 from frontier_pilot.srv import SaveMapResponse  # noqa: E402
+from saved_maps import Saved  # noqa: E402
 
 
 class SavedMaps(unittest.TestCase):
@@ -42,13 +43,13 @@ class SavedMaps(unittest.TestCase):
 
     def test_the_files_are_named_as_the_mapper_has_written_them(self):
         self.answers = [SaveMapResponse(success=True, message='saved /tmp/floor.pgm, .yaml and .bt')]
-        self.assertTrue(saved_maps.save_map('/tmp/floor.yaml'))
+        self.assertEqual(saved_maps.save_map('/tmp/floor.yaml'), Saved.WHERE_ASKED)
         self.assertEqual(self.out.getvalue(), 'Map saved: /tmp/floor.pgm, .yaml and .bt\n')
 
     def test_a_mapper_that_was_just_started_again_is_asked_once_more(self):
         """[FLT-2]"""
         self.answers = [rospy.ServiceException('the service has gone')]
-        self.assertTrue(saved_maps.save_map('/tmp/floor'))
+        self.assertEqual(saved_maps.save_map('/tmp/floor'), Saved.WHERE_ASKED)
         self.assertEqual(self.asked, ['/tmp/floor', '/tmp/floor'])
         self.assertIn('The map could not be saved: the service has gone; it is tried once more\n', self.out.getvalue())
 
@@ -57,7 +58,7 @@ class SavedMaps(unittest.TestCase):
         for prefix in os.path.join(self.folder, 'floor'), '':
             with self.subTest(prefix=prefix):
                 self.answers, self.asked = 2 * [SaveMapResponse(success=False, message='the disk is full')], []
-                self.assertFalse(saved_maps.save_map(prefix), 'it is not where it was to be')
+                self.assertEqual(saved_maps.save_map(prefix), Saved.ELSEWHERE)
                 self.assertEqual(len(self.asked), 3)
                 self.assertTrue(self.asked[2].startswith(self.spare('')), self.asked)
                 self.assertIn('Map saved: %s.pgm' % self.asked[2], self.out.getvalue())
@@ -74,19 +75,24 @@ class SavedMaps(unittest.TestCase):
 
     def test_a_file_in_the_place_of_the_folder_does_not_lose_the_map(self):
         pathlib.Path('maps').write_text('')
-        self.assertFalse(saved_maps.save_map(''))
+        self.assertEqual(saved_maps.save_map(''), Saved.ELSEWHERE)
         self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
 
     def test_why_no_map_was_saved_is_said(self):
         self.answers = 3 * [SaveMapResponse(success=False, message='there is no map')]
-        self.assertFalse(saved_maps.save_map('/tmp/floor'))
+        self.assertEqual(saved_maps.save_map('/tmp/floor'), Saved.NOWHERE)
         self.assertEqual(self.out.getvalue().splitlines()[-1], 'The map could not be saved: there is no map')
         self.assertEqual(os.listdir(self.spare('')), [])
 
     def test_a_mapper_that_is_not_there_is_not_waited_for_three_times(self):
         self.await_service.side_effect = rospy.ROSException('timeout exceeded while waiting for service')
-        self.assertFalse(saved_maps.save_map('/tmp/floor'))
+        self.assertEqual(saved_maps.save_map('/tmp/floor'), Saved.NOWHERE)
         self.assertEqual(self.await_service.call_count, 1)
+
+    def test_a_mapper_on_another_computer_leaves_no_empty_picture_here(self):
+        self.assertEqual(saved_maps.save_map(''), Saved.WHERE_ASKED)
+        self.assertEqual(os.listdir('maps'), [])
+        self.assertRegex(self.out.getvalue(), '^Map saved: .*, on the computer of the mapper\n$')
 
     def test_a_map_of_before_is_not_overwritten(self):
         prefix = os.path.join(self.folder, 'floor')

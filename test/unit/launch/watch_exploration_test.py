@@ -36,7 +36,7 @@ class Words(unittest.TestCase):
 
 
 class Later(unittest.TestCase):
-    def saved(self, *statuses):
+    def saved(self, *statuses, before=True):
         """To which paths a watcher saves that hears these one by one, and is told to end after the last one."""
         watcher, interrupt = mock.Mock(status=None), mock.Mock(number=0)
         left = list(statuses)
@@ -48,7 +48,7 @@ class Later(unittest.TestCase):
                 interrupt.number = 15
         with mock.patch('watch_exploration.time.sleep', go_on), mock.patch('sys.stdout', io.StringIO()), \
                 mock.patch('rospy.is_shutdown', return_value=False), mock.patch('watch_exploration.save_map') as save:
-            self.assertEqual(watch_exploration.save_what_was_mapped_since(watcher, interrupt, ''), 143)
+            self.assertEqual(watch_exploration.save_at_the_end(watcher, interrupt, '', before), 143)
         return [call[0][0] for call in save.call_args_list]
 
     def test_what_was_mapped_after_the_exploration_is_saved_when_all_ends(self):
@@ -57,6 +57,11 @@ class Later(unittest.TestCase):
         self.assertEqual(self.saved(), [])
         self.assertEqual(self.saved(done, ExplorerStatus(explored_area=52.0, distance_travelled=30.0)), [''])
         self.assertEqual(self.saved(done, done, ExplorerStatus(explored_area=50.0, distance_travelled=33.0)), [''])
+
+    def test_what_could_not_be_saved_is_saved_when_all_ends_although_nothing_has_changed(self):
+        """[FLT-2]"""
+        done = ExplorerStatus(explored_area=50.0, distance_travelled=30.0)
+        self.assertEqual(self.saved(done, done, before=False), [''])
 
 
 class Abandoned(unittest.TestCase):

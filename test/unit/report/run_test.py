@@ -62,6 +62,34 @@ class WhatSomebodyElsePublished(unittest.TestCase):
         self.assertEqual((load.rows(), load.wall), ([], []))
 
 
+class WhatTheSummarySays(FolderCase):
+    def read(self, **options):
+        path = self.path('run_0.bag')
+        synthetic_bag.write(path, **options)
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        return run
+
+    def test_a_robot_is_not_simulated_because_a_simulation_has_left_its_parameters_at_the_master(self):
+        self.assertIn('simulated', summary.subject(self.read()))
+        self.assertNotIn('simulated', summary.subject(self.read(use_sim_time=False)))
+
+    def test_odometry_that_does_not_name_the_robots_frame_leaves_its_track(self):
+        length = self.read().track.length
+        self.assertGreater(length, 1.0)
+        for base_frame in '', 'nowhere':
+            self.assertEqual(self.read(base_frame=base_frame).track.length, length, base_frame)
+
+    def test_many_stops_do_not_hide_what_else_there_is(self):
+        run = self.read()
+        for time in range(70):
+            run.stop.add(200.0 + time, 'cause %d' % time)
+        looked_at = [text for _, text in summary.to_look_at(run)]
+        self.assertIn('There were %d more emergency stops.' % (len(run.stop.those(run.end)) - summary.MOST_STOPS), looked_at)
+        self.assertTrue([text for text in looked_at if 'touched something' in text])
+
+
 class Reading(FolderCase):
     def read(self, **options):
         path = self.path('run_0.bag')

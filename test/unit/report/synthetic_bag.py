@@ -15,7 +15,7 @@ from tf2_msgs.msg import TFMessage
 BEGIN, SECONDS = 100.0, 60
 # Along the way: when a goal was sent, and what the counts (sent, reached, failed) became.
 COUNTS = {5: (1, 0, 0), 15: (2, 1, 0), 25: (3, 1, 0), 35: (3, 1, 1), 36: (4, 1, 1)}
-PARAMETERS = {'run_id': 'x', 'simulator': {'world': '/worlds/small.yaml', 'speed': 3},
+PARAMETERS = {'run_id': 'x', 'use_sim_time': True, 'simulator': {'world': '/worlds/small.yaml', 'speed': 3},
               'navigator': {'goal_tolerance': 0.3, 'robot': {'disc_radius': 0.105, 'limits': {'max_linear': 0.5}}},
               'mapper': {'robot': {'limits': {'max_linear': 0.5}}}}
 
@@ -66,9 +66,9 @@ def messages_at(second):
         ProcessLoad('/mapper', 7, 0.25, 50000000), ProcessLoad('/navigator', 8, 0.5, 30000000 + 1000000 * second)])
 
 
-def first_messages():
-    yield '/run_recorder/info', info('start')
-    odometry = Odometry(child_frame_id='base_footprint')
+def first_messages(base_frame='base_footprint', **parameters):
+    yield '/run_recorder/info', info('start', **parameters)
+    odometry = Odometry(child_frame_id=base_frame)
     odometry.header.frame_id = 'odom'
     yield '/odom', odometry
     grid = OccupancyGrid()
@@ -84,14 +84,15 @@ def last_messages():
     yield '/run_recorder/info', info('end', navigator={'goal_tolerance': 0.4})
 
 
-def write(path, seconds=SECONDS, with_end=True, namespace='', begin=0):
-    """Writes the run, or its seconds from `begin` on and before `seconds`, to `path`."""
+def write(path, seconds=SECONDS, with_end=True, namespace='', begin=0, base_frame='base_footprint', **parameters):
+    """Writes the run, or its seconds from `begin` on and before `seconds`, to `path`; with odometry of that frame, and with these
+    parameters besides at the start."""
     with rosbag.Bag(path, 'w', compression='lz4', chunk_threshold=4096) as bag:
         def put(messages, time):
             for topic, message in messages:
                 is_global = topic in ('/tf', '/diagnostics', '/rosout')
                 bag.write(topic if is_global else namespace + topic, message, rospy.Time.from_sec(BEGIN + time))
-        put(first_messages(), float(begin))
+        put(first_messages(base_frame, **parameters), float(begin))
         for second in range(begin, seconds):
             put(messages_at(second), second + 0.001)
         if with_end:
