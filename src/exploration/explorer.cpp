@@ -10,28 +10,6 @@
 namespace frontier_pilot::exploration {
 namespace {
 
-/// The missing input by the name that users know.
-const char* nameOfMissing(ExplorerReason reason) {
-  switch (reason) {
-    case ExplorerReason::kMapGone:
-      return "map";
-    case ExplorerReason::kOdometryGone:
-      return "odometry";
-    case ExplorerReason::kPoseGone:
-      return "TF from map to base";
-    case ExplorerReason::kNotLocalized:
-      return "the robot's place on the map";
-    default:
-      return "move_base";
-  }
-}
-
-std::string listMissing(const std::vector<ExplorerReason>& missing) {
-  std::string text;
-  for (const ExplorerReason reason : missing) text += (text.empty() ? "" : ", ") + std::string(nameOfMissing(reason));
-  return text;
-}
-
 /// No view shows more than the scanner measures.
 ExplorerParameters withScannersView(ExplorerParameters parameters) {
   ViewParameters& view = parameters.frontier.view;
@@ -41,8 +19,6 @@ ExplorerParameters withScannersView(ExplorerParameters parameters) {
   view.direction = normalizeAngle(scanner.yaw + scanner.angle_min + 0.5 * scanner.field_of_view);
   return parameters;
 }
-
-bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSeconds(age); }
 
 }  // namespace
 
@@ -110,14 +86,14 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   if (!shared_.alone() || !inputs.others.empty()) shared_.setOthers(inputs.others);
   if (inputs.reset) reset(now);
   if (inputs.start) startAgain(now);
-  if (ready(inputs, now)) {
+  if (ready(inputs, now) && !waitsForNavigation(now)) {
     if (!start_) start_ = T_map_base_;
     if (status_.state == ExplorerState::kIdle) {
       enter(ExplorerState::kSelectGoal, ExplorerReason::kInputsComplete, "", now);
     }
     for (const GoalEvent& event : inputs.goal_events) handleEvent(event, now);
     obeyClearedInspections(now);
-    if (withinLimits(now)) step(now);
+    if (status_.state != ExplorerState::kIdle && withinLimits(now)) step(now);
   }
   countFrontiers();
   last_update_ = now;
@@ -140,58 +116,6 @@ void Explorer::Impl::reset(Time now) {
   enter(idle ? ExplorerState::kIdle : ExplorerState::kSelectGoal, ExplorerReason::kReset, "", now);
 }
 
-/// Whether the explorer may act: it is enabled and every input is available. [EXP-8]
-bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
-  if (!inputs.enabled) {
-    standFor(ExplorerReason::kPaused, now);
-    return false;
-  }
-  if (inputs.stopped) {
-    if (status_.state != ExplorerState::kDone) standFor(ExplorerReason::kEmergencyStop, now);
-    return false;
-  }
-  const std::vector<ExplorerReason> missing = missingInputs(inputs, now);
-  if (missing.empty()) {
-    last_report_.reset();
-    return !yield(inputs, now);
-  }
-  if (status_.state != ExplorerState::kDone) stopFor(missing, now);
-  return false;
-}
-
-void Explorer::Impl::standFor(ExplorerReason reason, Time now) {
-  cancelGoal();
-  if (status_.reason == reason) return;
-  enter(ExplorerState::kIdle, reason, "", now);
-}
-
-std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) const {
-  const double age = parameters_.input_timeout;
-  std::vector<ExplorerReason> missing;
-  if (!inputs.map_available || evaluator_.map().empty()) missing.push_back(ExplorerReason::kMapGone);
-  if (!inputs.odometry_stamp || isOlder(*inputs.odometry_stamp, now, age)) {
-    missing.push_back(ExplorerReason::kOdometryGone);
-  }
-  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite() || isOlder(inputs.T_map_base->stamp, now, age)) {
-    missing.push_back(ExplorerReason::kPoseGone);
-  }
-  if (!inputs.localized) missing.push_back(ExplorerReason::kNotLocalized);
-  if (!inputs.navigation_available) missing.push_back(ExplorerReason::kNavigationGone);
-  return missing;
-}
-
-void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
-  cancelGoal();
-  const ExplorerReason reason = was_running_ ? missing.front() : ExplorerReason::kWaitingForInputs;
-  const std::string text = "missing: " + listMissing(missing);
-  const bool news = status_.state != ExplorerState::kIdle || status_.reason != reason || status_.reason_text != text;
-  if (news) enter(ExplorerState::kIdle, reason, text, now);
-  if (!last_report_ || now - *last_report_ >= fromSeconds(parameters_.report_period)) {
-    note(true, "exploration waits for: " + listMissing(missing));
-    last_report_ = now;
-  }
-}
-
 void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   if (!goal_ || goal_->id != event.goal_id) return;  // the event belongs to a goal that has been replaced
   const Goal goal = *goal_;
@@ -212,6 +136,8 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
     case GoalEvent::Kind::kRejected:
       goalFailed(goal, event.text);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
+    case GoalEvent::Kind::kUnable:
+      return standUntilItCanDrive(event.text, now);
   }
 }
 

@@ -20,10 +20,11 @@
 
 namespace frontier_pilot::exploration {
 
-/// The explorer's state machine: inputs, events and transitions in explorer.cpp, the actions in each state in
-/// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, what bounds and ends an
-/// exploration in limits/explorer_limits.cpp, what is inspected meanwhile in inspection/inspections.cpp, and how far it
-/// has come in progress/explorer_progress.cpp, and what it leaves to the robots of its team in team/team_steps.cpp.
+/// The explorer's state machine: events and transitions in explorer.cpp, the actions in each state in
+/// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, what it waits for in
+/// progress/explorer_waits.cpp, how far it has come in progress/explorer_progress.cpp, what bounds and ends an
+/// exploration in limits/explorer_limits.cpp, what is inspected meanwhile in inspection/inspections.cpp, and what it
+/// leaves to the robots of its team in team/team_steps.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);
@@ -93,6 +94,8 @@ class Explorer::Impl {
   void standFor(ExplorerReason reason, Time now);
   void stopFor(const std::vector<ExplorerReason>& missing, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
+  void standUntilItCanDrive(const std::string& what, Time now);
+  bool waitsForNavigation(Time now) const;
   void handleEvent(const GoalEvent& event, Time now);
   void stopReached(const Goal& goal, Time now);
   void goalFailed(const Goal& goal, const std::string& what);

@@ -49,8 +49,10 @@ constexpr std::array kReasonTexts = {
     "what is left is another robot's",
     "the emergency stop is latched",
     "the robot is not localised on the map",
+    "the navigation is disabled at the arbiter",
+    "the navigation cannot drive",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kNotLocalized) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kNavigationUnable) + 1);
 
 }  // namespace
 

@@ -1,6 +1,15 @@
 #include "frontier_pilot/navigation/navigator_types.h"
 
+#include <algorithm>
+#include <array>
+
 namespace frontier_pilot::navigation {
+namespace {
+
+constexpr std::array kUnableToDrive = {NavReason::kNoMap,        NavReason::kNoPose,      NavReason::kNoScan,
+                                       NavReason::kNotLocalized, NavReason::kClockJumped, NavReason::kInternalError};
+
+}  // namespace
 
 const char* toString(NavState state) {
   switch (state) {
@@ -62,8 +71,19 @@ const char* toString(NavReason reason) {
       return "gives way to another robot";
     case NavReason::kNotLocalized:
       return "not localised";
+    case NavReason::kInternalError:
+      return "internal error";
   }
   return "unknown";
+}
+
+bool isUnableToDrive(NavReason reason) {
+  return std::find(kUnableToDrive.begin(), kUnableToDrive.end(), reason) != kUnableToDrive.end();
+}
+
+bool isUnableToDrive(const std::string& text) {
+  return std::any_of(kUnableToDrive.begin(), kUnableToDrive.end(),
+                     [&text](NavReason reason) { return text == toString(reason); });
 }
 
 const char* toString(NavResult result) {

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double kControlFrequency = 10.0;  // [Hz], as ClosedLoop calls control()
 
-exploration::GoalEvent::Kind eventKind(navigation::NavResult result) {
-  if (result == navigation::NavResult::kSucceeded) return exploration::GoalEvent::Kind::kReached;
-  return result == navigation::NavResult::kAborted ? exploration::GoalEvent::Kind::kAborted
-                                                   : exploration::GoalEvent::Kind::kPreempted;
+exploration::GoalEvent::Kind eventKind(const navigation::NavFinished& finished) {
+  using Kind = exploration::GoalEvent::Kind;
+  if (finished.result == navigation::NavResult::kSucceeded) return Kind::kReached;
+  if (finished.result != navigation::NavResult::kAborted) return Kind::kPreempted;
+  return isUnableToDrive(finished.reason) ? Kind::kUnable : Kind::kAborted;
 }
 
 }  // namespace
@@ -187,8 +188,7 @@ navigation::NavOrder RobotStack::giveWay() {
 void RobotStack::noteGoals(const navigation::NavigatorOutput& output) {
   for (const navigation::NavFinished& finished : output.finished) {
     if (goal_ && goal_->id == finished.id) goal_.reset();
-    goal_events_.push_back(
-        {static_cast<std::uint32_t>(finished.id), eventKind(finished.result), toString(finished.reason)});
+    goal_events_.push_back({static_cast<std::uint32_t>(finished.id), eventKind(finished), toString(finished.reason)});
     log("goal " + std::to_string(finished.id) + " " + toString(finished.result) + ": " + toString(finished.reason));
   }
 }

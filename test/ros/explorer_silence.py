@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""An explorer whose odometry falls silent, whatever its stamps were."""
+"""An explorer whose odometry falls silent, whatever its stamps were, or whose navigation cannot drive."""
 import rospy
 import rostest
+from frontier_pilot.msg import ArbiterSource, ArbiterStatus
 from frontier_pilot.msg import ExplorerStatus as Status
 
 from explorer_case import ExplorerCase
@@ -24,6 +25,37 @@ class ExplorerSilence(ExplorerCase):
     # [FLT-1]
     def test_it_waits_for_it_as_soon_where_its_stamps_were_ahead_of_the_clock(self):
         self.expect_that_it_waits_for_odometry(8.0)
+
+    # [EXP-8]
+    def test_it_waits_for_a_navigation_that_has_no_scan(self):
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.robot.odometry_lives, self.robot.odometry_ahead = True, 0.0
+        self.robot.trouble = 'no scan'
+        self.addCleanup(setattr, self.robot, 'trouble', '')
+        self.explore()
+        self.expect_reason(Status.NAVIGATION_UNABLE)
+        self.assertIn('no scan', self.status.last.reason_text)
+        self.assertEqual(0, self.status.last.goals_failed)
+        self.robot.trouble = ''
+        self.status.items.clear()
+        self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING, 20.0), self.status.last)
+
+    # [EXP-8]
+    def test_it_waits_while_the_arbiter_ignores_the_navigation(self):
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.robot.odometry_lives, self.robot.odometry_ahead = True, 0.0
+        arbiter = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        nav = ArbiterSource(name='nav', topic='/cmd_vel_nav', enabled=False)
+        timer = rospy.Timer(rospy.Duration(0.5), lambda _: arbiter.publish(ArbiterStatus(sources=[nav])))
+        self.addCleanup(timer.shutdown)
+        self.explore()
+        self.assertTrue(self.comes(lambda status: 'source nav' in status.reason_text), self.status.last)
+        nav.enabled = True
+        self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING), self.status.last)
+        nav.enabled = False
+        self.expect_reason(Status.NAVIGATION_DISABLED)
 
 
 if __name__ == '__main__':

@@ -34,13 +34,14 @@ def hall(known_from=-2.5, known_to=2.5):
 
 
 class ForeignRobot:
-    """Drives straight to each goal of `move_base`, and stands there while `held`."""
+    """Drives straight to each goal of `move_base`, and stands there while `held`. With a `trouble` it gives each up."""
 
     def __init__(self, x, y):
         self.position = (x, y)
         self.goals = []
         self.track = []
         self.held = threading.Event()
+        self.trouble = ''
         self.odometry_lives, self.odometry_ahead = True, 0.0  # whether it is told, and how far ahead of the clock [s]
         self._odom = rospy.Publisher('odom', Odometry, queue_size=10)
         self._tf = tf2_ros.TransformBroadcaster()
@@ -76,6 +77,8 @@ class ForeignRobot:
         while not rospy.is_shutdown():
             if self._server.is_preempt_requested():
                 return self._server.set_preempted()
+            if self.trouble:
+                return self._server.set_aborted(text=self.trouble)
             if self._step_to(at.x, at.y) and not self.held.is_set():
                 return self._server.set_succeeded()
             rospy.rostime.wallsleep(PERIOD)

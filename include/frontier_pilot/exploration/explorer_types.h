@@ -57,6 +57,8 @@ enum class ExplorerReason : std::uint8_t {
   kLeftToOthers,
   kEmergencyStop,
   kNotLocalized,
+  kNavigationDisabled,
+  kNavigationUnable,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -90,7 +92,8 @@ struct Teammate {
 
 /// How a goal ended, as reported by the navigation.
 struct GoalEvent {
-  enum class Kind { kReached, kAborted, kRejected, kPreempted };
+  /// kUnable: the navigation could drive nowhere, for example without a scan, which is no fault of the goal. [EXP-8]
+  enum class Kind { kReached, kAborted, kRejected, kPreempted, kUnable };
   std::uint32_t goal_id = 0;  ///< of the command that sent it; events of older goals are ignored
   Kind kind = Kind::kReached;
   std::string text;  ///< message of the navigation
@@ -104,6 +107,7 @@ struct ExplorerInputs {
   bool start = false;                ///< go on after a stopping rule has ended the exploration
   bool map_available = true;         ///< the map has a publisher
   bool navigation_available = true;  ///< the move_base server is there
+  bool navigation_enabled = true;    ///< false: the arbiter ignores its commands
   bool localized = true;             ///< false: the mapper says that the robot is not where its pose is
   bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;

@@ -81,9 +81,15 @@ enum class NavReason {
   kClockJumped,
   kTraffic,
   kNotLocalized,
+  kInternalError,
 };
 /// The text of results and status, e.g. "goal occupied".
 const char* toString(NavReason reason);
+/// Whether a goal that ended so could have been any other: the navigator lacked what it needs to drive anywhere, for
+/// example a scan.
+bool isUnableToDrive(NavReason reason);
+/// The same by the text of a result.
+bool isUnableToDrive(const std::string& text);
 
 enum class NavResult { kSucceeded, kPreempted, kCanceled, kAborted };
 const char* toString(NavResult result);

@@ -35,6 +35,7 @@ static_assert(static_cast<int>(exploration::ExplorerReason::kUntilShare) == Expl
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilBattery) == ExplorerStatus::UNTIL_BATTERY);
 static_assert(static_cast<int>(exploration::ExplorerReason::kLeftToOthers) == ExplorerStatus::LEFT_TO_OTHERS);
 static_assert(static_cast<int>(exploration::ExplorerReason::kEmergencyStop) == ExplorerStatus::EMERGENCY_STOP);
+static_assert(static_cast<int>(exploration::ExplorerReason::kNavigationUnable) == ExplorerStatus::NAVIGATION_UNABLE);
 
 ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const std::string& frame, Time stamp) {
   ExplorerStatus msg;

@@ -69,6 +69,7 @@ class FrontierExplorerAdapter {
   void resume();
   void remember();
   void pause(const std::string& why);
+  bool isNavigationEnabled() const;
   bool awaitsArbiter() const { return enabled_ && earlier_stops_.holdsBack(steadyNow()); }
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();

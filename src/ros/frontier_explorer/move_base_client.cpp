@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "frontier_pilot/navigation/navigator_types.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/frontier_explorer/move_base_client.h"
@@ -7,6 +8,7 @@
 namespace frontier_pilot {
 namespace {
 
+/// The result of move_base has no field for the reason: the navigator says it in its text.
 exploration::GoalEvent::Kind kindOf(const actionlib::TerminalState& state) {
   using State = actionlib::TerminalState;
   switch (state.state_) {
@@ -18,7 +20,8 @@ exploration::GoalEvent::Kind kindOf(const actionlib::TerminalState& state) {
     case State::RECALLED:
       return exploration::GoalEvent::Kind::kPreempted;
     default:
-      return exploration::GoalEvent::Kind::kAborted;
+      return navigation::isUnableToDrive(state.getText()) ? exploration::GoalEvent::Kind::kUnable
+                                                          : exploration::GoalEvent::Kind::kAborted;
   }
 }
 

@@ -119,7 +119,7 @@ void NavigatorAdapter::tick(Time now) {
   } catch (...) {
     // Neither the last command stays in force nor a goal without an end: it would be thrown again in each tick. [FLT-1]
     if (navigator_.hasGoal() || server_.goal()) command_.publish(toTwistMsg({}));
-    server_.abortAll("internal error");
+    server_.abortAll(toString(navigation::NavReason::kInternalError));
     throw;
   }
   const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;

@@ -87,6 +87,7 @@ std::optional<double> known(double distance) {
 teleop::Severity severityOf(const ExplorerStatus& msg) {
   switch (msg.reason) {
     case ExplorerStatus::NAVIGATION_GONE:
+    case ExplorerStatus::NAVIGATION_UNABLE:
     case ExplorerStatus::MAP_GONE:
     case ExplorerStatus::POSE_GONE:
     case ExplorerStatus::ODOMETRY_GONE:
@@ -94,6 +95,7 @@ teleop::Severity severityOf(const ExplorerStatus& msg) {
     case ExplorerStatus::ROBOT_OUT_OF_BOUNDS:
       return teleop::Severity::kError;
     case ExplorerStatus::WAITING_FOR_INPUTS:
+    case ExplorerStatus::NAVIGATION_DISABLED:
     case ExplorerStatus::ALL_BLACKLISTED:
       return teleop::Severity::kWarning;
     default:

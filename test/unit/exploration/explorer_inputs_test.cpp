@@ -50,6 +50,9 @@ class ExplorerLosses : public ExplorerTest, public ::testing::WithParamInterface
       case Reason::kNotLocalized:
         inputs.localized = there;
         break;
+      case Reason::kNavigationDisabled:
+        inputs.navigation_enabled = there;
+        break;
       default:
         inputs.navigation_available = there;
         break;
@@ -83,8 +86,28 @@ TEST_P(ExplorerLosses, StopsSaysSoAndResumes_EXP_8) {
 INSTANTIATE_TEST_SUITE_P(EachInput, ExplorerLosses,
                          ::testing::Values(Loss{"Map", Reason::kMapGone}, Loss{"Odometry", Reason::kOdometryGone},
                                            Loss{"Pose", Reason::kPoseGone}, Loss{"Place", Reason::kNotLocalized},
-                                           Loss{"Navigation", Reason::kNavigationGone}),
+                                           Loss{"Navigation", Reason::kNavigationGone},
+                                           Loss{"LeaveOfTheArbiter", Reason::kNavigationDisabled}),
                          [](const auto& loss) { return loss.param.name; });
+
+// [EXP-5] [EXP-8]
+TEST_F(ExplorerInputsTest, ANavigationThatCanDriveNowhereIsWaitedForAndNoFaultOfThePlaces_EXP_8) {
+  show(kTwoEnds);
+  exploration::ExplorerOutput output;
+  for (const Time end = now + std::chrono::seconds(300); now < end;) {
+    output = tick();
+    ASSERT_NE(output.status.state, State::kDone);
+    if (output.status.state == State::kNavigating) goalEnds(exploration::GoalEvent::Kind::kUnable, "no scan");
+  }
+  EXPECT_TRUE(explorer.blacklist().empty());
+  EXPECT_EQ(output.status.state, State::kIdle);
+  EXPECT_EQ(output.status.reason, Reason::kNavigationUnable);
+  EXPECT_NE(output.status.reason_text.find("no scan"), std::string::npos) << output.status.reason_text;
+  EXPECT_EQ(output.status.goals_failed, 0U);
+  EXPECT_GE(output.status.goals_sent, 50U) << "it is tried every five seconds";
+  EXPECT_LE(output.status.goals_sent, 60U) << "and not more often";
+  EXPECT_EQ(tickFor(6.0).status.state, State::kNavigating) << "it goes on once goals do not end so";
+}
 
 // [EXP-7]
 TEST_F(ExplorerInputsTest, APauseCancelsTheGoalAndIsItsOwnReason_EXP_7) {
@@ -152,6 +175,17 @@ class ExplorationThatReturns : public ExplorerTest {
     EXPECT_TRUE(history.empty()) << history.front().reason_text;
   }
 };
+// [EXP-8] [EXP-10]
+TEST_F(ExplorationThatReturns, TheWayBackIsTriedAgainWhenTheNavigationCouldDriveNowhere_EXP_8_EXP_10) {
+  show(kClosedRoom);
+  ASSERT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  const exploration::GoalCommand first = sent;
+  goalEnds(exploration::GoalEvent::Kind::kUnable, "lost pose");
+  EXPECT_EQ(tickFor(1.0).status.reason, Reason::kNavigationUnable);
+  EXPECT_EQ(tickFor(10.0).status.reason, Reason::kReturningToStart);
+  EXPECT_NE(sent.goal_id, first.goal_id);
+}
+
 class ExplorationForATime : public ExplorationThatReturns {
  protected:
   ExplorationForATime() : ExplorationThatReturns(3.0) {}
@@ -173,6 +207,19 @@ TEST_F(ExplorationForATime, StaysEndedWithoutDrivingToItsStartOnceMoreWhenTheClo
   goalEnds(exploration::GoalEvent::Kind::kReached);
   ASSERT_EQ(tickFor(0.5).status.reason, Reason::kUntilTime);
   expectItStaysDone();
+}
+
+// [EXP-8] [EXP-10]
+TEST_F(ExplorationForATime, TheWayBackIsNotTriedInEveryTickWhereTheNavigationCanDriveNowhere_EXP_8_EXP_10) {
+  show(kRoom);
+  const std::size_t before = tickFor(4.0).status.goals_sent;
+  for (int i = 0; i < 100; ++i) {
+    goalEnds(exploration::GoalEvent::Kind::kUnable, "internal error");
+    tick();
+  }
+  const exploration::ExplorerOutput output = tickFor(6.0);
+  EXPECT_EQ(output.status.reason, Reason::kReturningToStart);
+  EXPECT_LE(output.status.goals_sent, before + 3);
 }
 
 TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {

@@ -43,17 +43,23 @@ void expectExplained(const std::vector<std::string>& texts) {
 }
 
 TEST(Troubleshooting, ExplainsEachReasonWithWhichANavigationEnds) {
-  expectExplained(badTexts(navigation::NavReason::kClockJumped,
-                           {"no goal", "on the way", "turning to the goal's direction", "goal reached"}));
+  expectExplained(badTexts(
+      navigation::NavReason::kInternalError,
+      {"no goal", "on the way", "turning to the goal's direction", "goal reached", "gives way to another robot"}));
 }
 
 TEST(Troubleshooting, ExplainsEachReasonWithWhichAnExplorationWaitsOrEnds) {
   // What it waits for is said as "missing: map", for example, and not by the name of the reason.
-  const std::vector<std::string> inputs = {"waiting for inputs", "map gone", "pose gone", "odometry gone",
-                                           "navigation gone"};
+  const std::vector<std::string> inputs = {"waiting for inputs",
+                                           "map gone",
+                                           "pose gone",
+                                           "odometry gone",
+                                           "navigation gone",
+                                           "the robot is not localised on the map",
+                                           "the navigation is disabled at the arbiter"};
   expectExplained({"missing: ...", "exploration waits for: ..."});
   std::vector<std::string> bad =
-      badTexts(exploration::ExplorerReason::kEmergencyStop,
+      badTexts(exploration::ExplorerReason::kNavigationUnable,
                {"none", "all inputs are there", "goal sent", "goal reached", "goal failed", "goal timed out",
                 "goal preempted by another client", "nothing left to see at the goal", "a better goal",
                 "no rich frontier left", "all that is left is blacklisted, trying once more", "the map changed",

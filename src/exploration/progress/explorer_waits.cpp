@@ -1,0 +1,106 @@
+// What the explorer waits for. [EXP-8]
+#include <string>
+#include <vector>
+
+#include "exploration/explorer_impl.h"
+
+namespace frontier_pilot::exploration {
+namespace {
+
+/// The missing input by the name that users know.
+const char* nameOfMissing(ExplorerReason reason) {
+  switch (reason) {
+    case ExplorerReason::kMapGone:
+      return "map";
+    case ExplorerReason::kOdometryGone:
+      return "odometry";
+    case ExplorerReason::kPoseGone:
+      return "TF from map to base";
+    case ExplorerReason::kNotLocalized:
+      return "the robot's place on the map";
+    case ExplorerReason::kNavigationDisabled:
+      return "the arbiter's source nav, which is disabled";
+    default:
+      return "move_base";
+  }
+}
+
+std::string listMissing(const std::vector<ExplorerReason>& missing) {
+  std::string text;
+  for (const ExplorerReason reason : missing) text += (text.empty() ? "" : ", ") + std::string(nameOfMissing(reason));
+  return text;
+}
+
+bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSeconds(age); }
+
+}  // namespace
+
+/// Whether the explorer may act: it is enabled and every input is available. [EXP-8]
+bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
+  if (!inputs.enabled) {
+    standFor(ExplorerReason::kPaused, now);
+    return false;
+  }
+  if (inputs.stopped) {
+    if (status_.state != ExplorerState::kDone) standFor(ExplorerReason::kEmergencyStop, now);
+    return false;
+  }
+  const std::vector<ExplorerReason> missing = missingInputs(inputs, now);
+  if (missing.empty()) {
+    last_report_.reset();
+    return !yield(inputs, now);
+  }
+  if (status_.state != ExplorerState::kDone) stopFor(missing, now);
+  return false;
+}
+
+void Explorer::Impl::standFor(ExplorerReason reason, Time now) {
+  cancelGoal();
+  if (status_.reason == reason) return;
+  enter(ExplorerState::kIdle, reason, "", now);
+}
+
+std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) const {
+  const double age = parameters_.input_timeout;
+  std::vector<ExplorerReason> missing;
+  if (!inputs.map_available || evaluator_.map().empty()) missing.push_back(ExplorerReason::kMapGone);
+  if (!inputs.odometry_stamp || isOlder(*inputs.odometry_stamp, now, age)) {
+    missing.push_back(ExplorerReason::kOdometryGone);
+  }
+  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite() || isOlder(inputs.T_map_base->stamp, now, age)) {
+    missing.push_back(ExplorerReason::kPoseGone);
+  }
+  if (!inputs.localized) missing.push_back(ExplorerReason::kNotLocalized);
+  if (!inputs.navigation_available) missing.push_back(ExplorerReason::kNavigationGone);
+  if (!inputs.navigation_enabled) missing.push_back(ExplorerReason::kNavigationDisabled);
+  return missing;
+}
+
+void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
+  cancelGoal();
+  const ExplorerReason reason = was_running_ ? missing.front() : ExplorerReason::kWaitingForInputs;
+  const std::string text = "missing: " + listMissing(missing);
+  const bool news = status_.state != ExplorerState::kIdle || status_.reason != reason || status_.reason_text != text;
+  if (news) enter(ExplorerState::kIdle, reason, text, now);
+  if (!last_report_ || now - *last_report_ >= fromSeconds(parameters_.report_period)) {
+    note(true, "exploration waits for: " + listMissing(missing));
+    last_report_ = now;
+  }
+}
+
+/// A goal that the navigation could not drive to for want of a scan or the like has not failed: no other one would
+/// fare better. [EXP-8]
+void Explorer::Impl::standUntilItCanDrive(const std::string& what, Time now) {
+  const std::string text = std::string(toString(ExplorerReason::kNavigationUnable)) + ": " + what;
+  note(true, "exploration waits for the navigation: " + what);
+  enter(ExplorerState::kIdle, ExplorerReason::kNavigationUnable, text, now);
+}
+
+/// Whether it is too soon to send such a goal again. The navigation alone knows what it lacks.
+bool Explorer::Impl::waitsForNavigation(Time now) const {
+  constexpr Duration kBetweenAttempts = std::chrono::seconds(5);
+  return status_.state == ExplorerState::kIdle && status_.reason == ExplorerReason::kNavigationUnable &&
+         now - state_since_ < kBetweenAttempts;
+}
+
+}  // namespace frontier_pilot::exploration
