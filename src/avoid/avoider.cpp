@@ -205,7 +205,7 @@ void Avoider::Impl::startCycle(Time now) {
 }
 
 std::string Avoider::Impl::noReversing() const {
-  const char* why = around_.sees_rear ? "no room behind" : "no beam looks behind";
+  const char* why = around_.sees_rear ? "no room behind" : "the scan does not show all that is behind";
   return std::string("obstacle ahead, and ") + why + ": turning away";
 }
 

@@ -9,6 +9,10 @@ namespace {
 /// A beam on the border of two sectors belongs to both, even after rounding to single precision.
 constexpr double kBorderTolerance = 1e-4;  // [rad]
 
+/// A wider hole between two beams may hide something. Coarse scanners have a beam each 4 degrees, and lose one at
+/// times.
+constexpr double kWidestHole = 10.0 * kPi / 180.0;  // [rad]
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool sameLayout(const LaserScan2& a, const LaserScan2& b) {
@@ -36,7 +40,8 @@ std::size_t countInvalid(const LaserScan2& scan) {
 }  // namespace
 
 SectorReader::SectorReader(const AvoiderParameters& parameters)
-    : half_lane_(AvoiderDistances(parameters).half_lane),
+    : outline_(parameters.robot.drivenOutline()),
+      half_lane_(AvoiderDistances(parameters).half_lane),
       most_too_near_(AvoiderDistances(parameters).stop / 2.0),
       max_invalid_share_(parameters.max_invalid_share),
       front_left_(bordersOf(parameters.front_left)),
@@ -68,10 +73,10 @@ SectorDistances SectorReader::read(const LaserScan2& scan) {
   around.fault = judge(scan);
   if (!around.fault.empty()) return around;
   const std::vector<Vec2>& directions = directionsOf(scan);
+  around.sees_rear = seesLaneBehind(scan);
   const Vec2 sensor = scan.T_base_sensor.position();
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
-    if (reading.kind != RangeKind::kInvalid && rear_.contains(directions[i])) around.sees_rear = true;
     if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
     // What is too near for a scanner with a large range_min may be anywhere before that, also within the stop distance.
     const bool too_near = reading.kind == RangeKind::kTooNear;
@@ -79,6 +84,23 @@ SectorDistances SectorReader::read(const LaserScan2& scan) {
     add(scan.isMoving() ? scan.point(i, distance) : Vec2(sensor + distance * directions[i]), around);
   }
   return around;
+}
+
+bool SectorReader::seesLaneBehind(const LaserScan2& scan) {
+  const std::vector<Vec2>& directions = directionsOf(scan);
+  const auto toTail = [&](double y) { return bearing(Vec2(-outline_.rear(), y) - scan.T_base_sensor.position()); };
+  const Sector lane{toTail(half_lane_), toTail(-half_lane_)};
+  // Where valid beams look, from half a hole before the lane to half a hole beyond it: its edges may lie within one.
+  const double end = lane.width() + kWidestHole;
+  std::vector<double> looks{0.0, end};
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (readBeam(scan, i).kind == RangeKind::kInvalid) continue;
+    const double look = Sector{lane.from - kWidestHole / 2.0, bearing(directions[i])}.width();
+    if (look < end) looks.push_back(look);
+  }
+  std::sort(looks.begin(), looks.end());
+  const auto isHole = [](double one, double next) { return next - one > kWidestHole + kBorderTolerance; };
+  return std::adjacent_find(looks.begin(), looks.end(), isHole) == looks.end();
 }
 
 void SectorReader::add(const Vec2& point, SectorDistances& around) const {

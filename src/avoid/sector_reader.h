@@ -7,6 +7,7 @@
 #include "frontier_pilot/avoid/parameters.h"
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot::avoid {
 
@@ -25,9 +26,11 @@ class SectorReader {
   };
   static Borders bordersOf(const Sector& sector);
   const std::vector<Vec2>& directionsOf(const LaserScan2& scan);
+  bool seesLaneBehind(const LaserScan2& scan);
   void add(const Vec2& point, SectorDistances& around) const;
   std::string judge(const LaserScan2& scan);
 
+  Outline outline_;
   double half_lane_;
   double most_too_near_;  ///< greatest distance at which a reading below range_min is taken to be [m]
   double max_invalid_share_;

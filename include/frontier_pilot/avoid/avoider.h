@@ -41,7 +41,7 @@ struct SectorDistances {
   double front_left = kNothing;
   double front_right = kNothing;
   double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
-  bool sees_rear = false;        ///< a valid beam looks into the rear sector
+  bool sees_rear = false;        ///< valid beams look along the lane behind the body
   double lane_left = kNothing;   ///< in the lane ahead of the body but outside of the front sectors, on the left
   double lane_right = kNothing;  ///< the same on the right
   double nearest = kNothing;     ///< in any direction
@@ -66,7 +66,8 @@ struct AvoiderSnapshot {
 /// Last-resort obstacle avoidance by the laser scan: backs up and turns away from an obstacle near ahead.
 /// A robot whose corners would hit something in a turn backs up further, or stands still if it cannot.
 ///
-/// It does not back up where no valid beam looks: with a scanner that sees no farther back than to the sides it turns.
+/// It does not back up where no valid beam looks: with a scanner that does not see all of the lane behind the body it
+/// turns.
 ///
 /// The direction of a turn is chosen once per episode, which lasts until `clear_distance` is free again; a fault of the
 /// scan in between holds the robot, and the episode then goes on where it was. Each method takes one input at one

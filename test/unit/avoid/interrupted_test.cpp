@@ -17,7 +17,7 @@ class InterruptedAvoider : public ::testing::Test {
     LaserScan2 scan = emptyScan(scanner, now);
     if (left > 0.0) putObstacle(scan, 0.5, left);
     if (right > 0.0) putObstacle(scan, -0.5, right);
-    if (blind_behind) putObstacle(scan, kPi, std::numeric_limits<double>::quiet_NaN(), kPi / 3.0);
+    if (blind_behind > 0.0) putObstacle(scan, kPi, std::numeric_limits<double>::quiet_NaN(), blind_behind);
     avoider.onScan(scan, now);
     return avoider.tick(now).value_or(avoid::AvoiderCommand{{9.0, 9.0}, false});
   }
@@ -35,7 +35,7 @@ class InterruptedAvoider : public ::testing::Test {
   Time now = timeFromSeconds(100.0);
   ScannerLayout scanner;
   double left = 0.0, right = 0.0;  ///< obstacles [m]; 0: none
-  bool blind_behind = false;
+  double blind_behind = 0.0;       ///< half the angle behind in which no beam is valid [rad]
 };
 
 // [ARB-8] The avoider asks for no motion while the robot is stopped, so that the stop can be cleared, and not after it.
@@ -131,14 +131,33 @@ TEST_F(InterruptedAvoider, DoesNotBackUpWhereNoBeamLooks_AVO_4) {
   for (int i = 0; i < 30; ++i) {
     EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, -0.7}, false})) << "it turns instead [AVO-4]";
   }
-  EXPECT_EQ(avoider.status(now).reason, "obstacle ahead, and no beam looks behind: turning away");
+  EXPECT_EQ(avoider.status(now).reason, "obstacle ahead, and the scan does not show all that is behind: turning away");
+}
+
+// [AVO-4]
+TEST_F(InterruptedAvoider, DoesNotBackUpWhereOnlyTheEdgesOfWhatIsBehindAreSeen_AVO_4) {
+  left = 0.3;
+  for (const double degrees : {240.0, 270.0, 300.0, 345.0}) {
+    scanner.width = degrees * kPi / 180.0;
+    scanner.beams = static_cast<int>(degrees) + 1;
+    for (int i = 0; i < 30; ++i) EXPECT_GE(tick().twist.linear, 0.0) << degrees << " [AVO-4]";
+  }
 }
 
 // [AVO-4]
 TEST_F(InterruptedAvoider, StopsBackingUpWhenNoBeamBehindIsValidAnyMore_AVO_4) {
   left = 0.3;
   EXPECT_LT(tick().twist.linear, 0.0) << "beams that meet nothing look there";
-  blind_behind = true;
+  blind_behind = kPi / 3.0;
+  EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, -0.7}, false})) << "[AVO-4]";
+}
+
+// [AVO-4]
+TEST_F(InterruptedAvoider, StopsBackingUpWhenTheBeamsStraightBehindAreInvalid_AVO_4) {
+  left = 0.3;
+  blind_behind = 0.05;
+  EXPECT_LT(tick().twist.linear, 0.0) << "a hole in which nothing has room";
+  blind_behind = 0.15;
   EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, -0.7}, false})) << "[AVO-4]";
 }
 

@@ -149,6 +149,20 @@ TEST(SectorReader, WhatTheTailWouldSweepCountsAsBehind_AVO_4) {
   EXPECT_NEAR(read(scan).rear, 0.12, 1e-6) << "beside the rear sector but in the lane [AVO-4]";
 }
 
+// [AVO-4]
+TEST_P(EveryScanner, SeesWhatIsBehindOnlyIfItLooksAllAround_AVO_4) {
+  EXPECT_EQ(read(scan()).sees_rear, GetParam().width > 1.9 * kPi);
+}
+
+// [AVO-4]
+TEST(SectorReader, SeesBehindAsFarAsTheLaneOfTheBodyReaches_AVO_4) {
+  LaserScan2 scan = emptyScan({}, Time{});
+  putObstacle(scan, 110.0 * kPi / 180.0, std::numeric_limits<double>::quiet_NaN(), 0.2);
+  EXPECT_TRUE(read(scan).sees_rear) << "beside the body, where it does not drive";
+  putObstacle(scan, 140.0 * kPi / 180.0, std::numeric_limits<double>::quiet_NaN(), 0.2);
+  EXPECT_FALSE(read(scan).sees_rear) << "where it would drive [AVO-4]";
+}
+
 // [AVO-2]
 TEST(SectorReader, NaNAndZeroSayNothing_AVO_2) {
   LaserScan2 scan = emptyScan({}, Time{});
