@@ -74,7 +74,9 @@ planning::PlanResult Navigator::Impl::makePlan(const planning::PlanRequest& requ
   return planner_.plan(clearance_, request);
 }
 
-void Navigator::Impl::clearObstacles() { obstacles_changed_ = obstacles_.clear(clearance_) || obstacles_changed_; }
+void Navigator::Impl::clearObstacles() {
+  obstacles_changed_ = obstacles_.clearInView(view_, clearance_) || obstacles_changed_;
+}
 
 void Navigator::Impl::setParameters(const NavigatorParams& params, std::vector<RecoveryRung> ladder) {
   params_ = params;
@@ -98,7 +100,8 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
     waiting_since_.reset();
     blocked_since_.reset();
     refreshed_ = planned_ = now;
-    clearObstacles();  // their times are those of the future now: none would be old for long
+    // The times of the marks are those of the future now: none would be old for long.
+    obstacles_changed_ = obstacles_.clear(clearance_) || obstacles_changed_;
     if (goal_) finish(NavResult::kAborted, NavReason::kClockJumped);
   }
   last_update_ = now;
@@ -131,10 +134,11 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   if (!T_map_base || isBlind(*inputs.scan, *T_map_base)) return;
   scan_stamp_ = inputs.scan->stamp;
   scan_ = scanPoints(*inputs.scan, *T_map_base, outline_);
+  view_ = {*inputs.scan, *T_map_base};
   obstacles_.setMakingWay(inputs.order.making_way);
   if (clearance_.empty()) return;
   dynamic_.update(*inputs.scan, *T_map_base, clearance_);
-  obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
+  obstacles_changed_ = obstacles_.update(view_, scan_, clearance_, now) || obstacles_changed_;
 }
 
 /// Whether the scanner suddenly sees none of the walls that the map has all around.

@@ -95,6 +95,7 @@ class Navigator::Impl {
   std::optional<StampedPose2> pose_;
   std::optional<Time> scan_stamp_;
   ScanPoints scan_;
+  ScanView view_;  ///< of the same scan
   DynamicObstacles dynamic_;
   Neighbours neighbours_;
   bool map_changed_ = false;

@@ -19,9 +19,11 @@ class ObstacleLayer {
  public:
   explicit ObstacleLayer(const ObstacleLayerParams& params = {}) : params_(params) {}
 
-  /// Processes a scan whose hits are `points` (map frame), from a base at `T_map_base`. Returns whether marks changed.
-  bool update(const LaserScan2& scan, const ScanPoints& points, const Pose2& T_map_base, planning::ClearanceMap& map,
-              Time now);
+  /// Processes a scan whose hits are `points` (map frame). Returns whether marks changed.
+  bool update(const ScanView& view, const ScanPoints& points, planning::ClearanceMap& map, Time now);
+  /// Removes the marks that the scanner would set again if what they stand for is still there. What it does not look at
+  /// it could not. Returns whether there were any.
+  bool clearInView(const ScanView& view, planning::ClearanceMap& map);
   /// Removes all marks. Returns whether there were any.
   bool clear(planning::ClearanceMap& map);
   /// From now on nothing is marked inside these discs: robots that are about to leave.
@@ -39,8 +41,6 @@ class ObstacleLayer {
 
  private:
   bool mark(const ScanPoints& points, const Vec2& robot, planning::ClearanceMap& map, Time now);
-  bool isGone(const LaserScan2& scan, const Pose2& T_map_base, const Pose2& T_map_sensor, const Vec2& obstacle) const;
-
   bool isMakingWay(const Vec2& point) const;
 
   ObstacleLayerParams params_;

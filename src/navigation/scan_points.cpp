@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace frontier_pilot::navigation {
 namespace {
@@ -31,6 +33,31 @@ double averaged(const LaserScan2& scan, std::size_t beam, double distance) {
     ++count;
   }
   return sum / count;
+}
+
+/// The beam whose angle is nearest to the bearing of `seen` in the scanner's frame; it may lie outside of the scan.
+long beamTowards(const LaserScan2& scan, const Vec2& seen) {
+  const double turns = std::remainder(bearing(seen) - scan.angle_min, 2.0 * kPi * (scan.angle_increment > 0 ? 1 : -1));
+  const long beam = std::lround(turns / scan.angle_increment);
+  return beam < 0 ? beam + std::lround(2.0 * kPi / std::abs(scan.angle_increment)) : beam;
+}
+
+/// Where `obstacle` was in the frame of a scanner that moved, when a beam pointed at it, and that beam; nothing if none
+/// did. Where the scanner was depends on the beam, and the beam on where it was: a few rounds find both, because a
+/// robot turns much more slowly than its scanner.
+std::optional<std::pair<long, Vec2>> seenWhileMoving(const LaserScan2& scan, const Pose2& T_map_base,
+                                                     const Vec2& obstacle) {
+  constexpr int kRounds = 4;
+  const Vec2 in_base = T_map_base.inverse() * obstacle;
+  const auto beams = static_cast<long>(scan.ranges.size());
+  long beam = beamTowards(scan, scan.T_base_sensor.inverse() * in_base);
+  for (int round = 0; round < kRounds; ++round) {
+    const Vec2 seen = scan.mount(static_cast<std::size_t>(std::clamp(beam, 0L, beams - 1))).inverse() * in_base;
+    const long next = beamTowards(scan, seen);
+    if (std::abs(next - beam) <= 1 && next < beams) return std::pair(next, seen);
+    beam = next;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -110,6 +137,40 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Out
     points.add(T_map_sensor.position() + distance * direction(T_map_sensor.yaw + scan.angle(i)));
   }
   return points;
+}
+
+std::optional<ScanView::Look> ScanView::lookAt(const Vec2& place) const {
+  const auto beams = static_cast<long>(scan_.ranges.size());
+  if (beams == 0) return std::nullopt;
+  Vec2 seen = (T_map_base_ * scan_.T_base_sensor).inverse() * place;
+  long beam = beamTowards(scan_, seen);
+  if (scan_.isMoving()) {
+    const auto found = seenWhileMoving(scan_, T_map_base_, place);
+    if (!found) return std::nullopt;
+    std::tie(beam, seen) = *found;
+  }
+  if (beam < 0 || beam >= beams) return std::nullopt;
+  return Look{seen.norm(), static_cast<std::size_t>(std::max(0L, beam - 1)),
+              static_cast<std::size_t>(std::min(beams - 1, beam + 1))};
+}
+
+bool ScanView::looksAt(const Vec2& place) const {
+  const std::optional<Look> look = lookAt(place);
+  if (!look) return false;
+  for (std::size_t beam = look->first; beam <= look->last; ++beam) {
+    if (readBeam(scan_, beam).kind != RangeKind::kInvalid) return true;
+  }
+  return false;
+}
+
+bool ScanView::seesThrough(const Vec2& place, double behind) const {
+  const std::optional<Look> look = lookAt(place);
+  if (!look) return false;
+  for (std::size_t beam = look->first; beam <= look->last; ++beam) {
+    const RangeReading reading = readBeam(scan_, beam);
+    if (reading.kind == RangeKind::kInvalid || reading.distance < look->range + behind) return false;
+  }
+  return true;
 }
 
 bool isUsable(const LaserScan2& scan) {

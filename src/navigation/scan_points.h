@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
@@ -31,6 +33,32 @@ struct ScanPoints {
 /// The hits of `scan`, taken from a base at `T_map_base`. A reading below the sensor's least range counts as a hit at
 /// the edge of the robot's outline, if that is nearer than the reading.
 ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline);
+
+/// What a scan, taken from a base at `T_map_base`, says of places in the map frame; without a scan, nothing.
+class ScanView {
+ public:
+  ScanView() = default;
+  ScanView(LaserScan2 scan, const Pose2& T_map_base) : scan_(std::move(scan)), T_map_base_(T_map_base) {}
+
+  /// Where the scanner was.
+  Vec2 scanner() const { return (T_map_base_ * scan_.T_base_sensor).position(); }
+  /// Whether a beam pointed at `place` that says something, or one beside it: what stands there will be seen again.
+  bool looksAt(const Vec2& place) const;
+  /// Whether the beam that pointed at `place` ended more than `behind` [m] behind it. The beams beside it must agree:
+  /// one drop-out does not make an obstacle vanish.
+  bool seesThrough(const Vec2& place, double behind) const;
+
+ private:
+  /// The beam that pointed at a place, and those beside it.
+  struct Look {
+    double range = 0.0;  ///< of the place from the scanner [m]
+    std::size_t first = 0, last = 0;
+  };
+  std::optional<Look> lookAt(const Vec2& place) const;
+
+  LaserScan2 scan_;
+  Pose2 T_map_base_;
+};
 
 /// Whether the scan is good enough to drive by: more than a tenth of all beams are valid, and it looks ahead. An empty
 /// scan is not good enough.

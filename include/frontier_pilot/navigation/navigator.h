@@ -39,7 +39,7 @@ class Navigator {
   /// Plans a path on the current map and live obstacles, for example for make_plan; pursuit of the goal is not
   /// affected.
   planning::PlanResult makePlan(const planning::PlanRequest& request);
-  /// Removes the live obstacles, like move_base's clear_costmaps.
+  /// Removes the live obstacles that the scanner can see again, like move_base's clear_costmaps.
   void clearObstacles();
 
   bool hasGoal() const;

@@ -40,8 +40,8 @@ struct RecoveryStep {
 /// A recovery under way: called once a tick until it is done.
 using Recovery = std::function<RecoveryStep(const RecoveryInputs&, Time now)>;
 
-/// A rung of the ladder [NAV-3]: its name in the status, whether it also removes the live obstacles, and a function
-/// that begins it. Plain callables, so that any timed behaviour can be used.
+/// A rung of the ladder [NAV-3]: its name in the status, whether it also removes the live obstacles that the scanner
+/// can see again, and a function that begins it. Plain callables, so that any timed behaviour can be used.
 struct RecoveryRung {
   std::string name;
   bool clears_obstacles = false;

@@ -34,8 +34,9 @@ LaserScan2 emptyScan() {
 class ObstacleLayerTest : public ::testing::Test {
  protected:
   bool see(const LaserScan2& scan, double seconds) {
-    const bool changed = layer.update(scan, navigation::scanPoints(scan, T_map_base, Outline::disc(0.105)), T_map_base,
-                                      map, timeFromSeconds(seconds));
+    view = {scan, T_map_base};
+    const bool changed = layer.update(view, navigation::scanPoints(scan, T_map_base, Outline::disc(0.105)), map,
+                                      timeFromSeconds(seconds));
     map.refresh();
     return changed;
   }
@@ -49,6 +50,7 @@ class ObstacleLayerTest : public ::testing::Test {
 
   planning::ClearanceMap map = test::clearanceOf(floorWithAWall());
   navigation::ObstacleLayer layer;
+  navigation::ScanView view;  ///< of the scan that was seen last
   Pose2 T_map_base{3.01, 3.01, 0.0};
 };
 
@@ -155,6 +157,28 @@ TEST_F(ObstacleLayerTest, ClearsAllMarksAndSaysWhetherThereWereAny) {
   map.refresh();
   EXPECT_FALSE(isBlocked({4.01, 3.01}));
   EXPECT_TRUE(layer.empty());
+}
+
+// [NAV-4] What has moved away is forgotten, and what has not must not be.
+TEST_F(ObstacleLayerTest, ClearsOfAllMarksThoseThatTheScannerCanSeeAgain_NAV_4) {
+  LaserScan2 both = withObstacle(1.0F, 180);
+  for (std::size_t beam = 178; beam <= 182; ++beam) both.ranges[beam] = 1.0F;
+  see(both, 1.0);
+  LaserScan2 ahead = withObstacle(1.0F);
+  EXPECT_FALSE(layer.clearInView({}, map)) << "nothing was scanned";
+  for (std::size_t beam = 0; beam < ahead.ranges.size(); ++beam) {
+    if (beam < 90 || beam >= 270 || beam == 180) ahead.ranges[beam] = std::nanf("");
+  }
+  see(ahead, 1.1);
+  EXPECT_TRUE(layer.clearInView(view, map));
+  map.refresh();
+  EXPECT_FALSE(isBlocked({4.01, 3.01})) << "it is looked at, although one beam is lost";
+  EXPECT_TRUE(isBlocked({2.01, 3.01})) << "it is behind a part of the robot";
+  ahead.angle_min = -0.5 * kPi;
+  ahead.ranges.assign(180, 8.0F);
+  see(ahead, 1.2);
+  EXPECT_FALSE(layer.clearInView(view, map));
+  EXPECT_TRUE(isBlocked({2.01, 3.01})) << "it is behind the robot";
 }
 
 // [SCN-1] The robot turned by 0.6 rad while the beams were measured: those that pointed at the obstacle were others.
