@@ -71,6 +71,7 @@ class Navigator::Impl {
   double distanceToGoal() const;
   void leaveGoal(Time now);
   MapFloor floorAt(const Pose2& T_map_base) const;
+  HasRoom staysOnSeenGround() const;
   HasRoom hasRoom() const;
   bool obey(const NavigatorInputs& inputs, Time now);
   void driveAside(const Vec2& place, const NavigatorInputs& inputs, Time now);

@@ -45,6 +45,20 @@ constexpr double kNearer = 0.5;          ///< to the goal, along the path [m]
 constexpr double kSamePlace = 0.05;      ///< between two poses [m]
 constexpr double kSameYaw = 0.1;         ///< the same [rad]
 constexpr double kRecoverySlack = 0.02;  ///< a recovery may come this much nearer to what the map shows than a path [m]
+constexpr double kEdgeSpacing = 0.03;    ///< of the places on an outline under which the ground must have been seen [m]
+constexpr double kTrackGap = 0.01;       ///< by which an outline may stand out between two poses of the track [m]
+
+/// Places on the edge of an outline, in the base frame, its corners among them.
+std::vector<Vec2> edgeOf(const Outline& outline) {
+  std::vector<Vec2> places;
+  const std::vector<Vec2>& corners = outline.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 side = corners[(i + 1) % corners.size()] - corners[i];
+    const int pieces = static_cast<int>(std::ceil(side.norm() / kEdgeSpacing));
+    for (int k = 0; k < pieces; ++k) places.emplace_back(corners[i] + side * k / pieces);
+  }
+  return places;
+}
 
 }  // namespace
 
@@ -214,6 +228,23 @@ Navigator::Impl::MapFloor Navigator::Impl::floorAt(const Pose2& T_map_base) cons
   return {lane - kRecoverySlack, std::max(kRecoverySlack, leave.slackAt(T_map_base.position()))};
 }
 
+/// What neither the map nor the latest scan shows is not free, unless the robot stood on it on its way to where the
+/// recovery began. The edge of the outline meets new ground first. [NAV-4]
+HasRoom Navigator::Impl::staysOnSeenGround() const {
+  const Outline outline = outline_.padded(params_.recovery.margin);
+  return [this, outline, edge = edgeOf(outline)](const Pose2& pose) {
+    const auto stood_on = [&](const Vec2& place) {
+      return std::any_of(recovery_began_.rbegin(), recovery_began_.rend(),
+                         [&](const Pose2& before) { return outline.distance(before.inverse() * place) < kTrackGap; });
+    };
+    return std::all_of(edge.begin(), edge.end(), [&](const Vec2& point) {
+      const Vec2 place = pose * point;
+      return !clearance_.isUnknown(clearance_.geometry().cellAt(place)) || view_.seesThrough(place, 0.0) ||
+             stood_on(place);
+    });
+  };
+}
+
 /// For the lane and, of a robot that is no disc, the corners. Where the robot was nearer to something than a path may
 /// come when the recovery began, it may stay as near, so that it gets away; and where it drove before, it may be again.
 /// What it does meanwhile lowers nothing, or it would come nearer step by step. In each tick it also stays on its own
@@ -221,8 +252,9 @@ Navigator::Impl::MapFloor Navigator::Impl::floorAt(const Pose2& T_map_base) cons
 HasRoom Navigator::Impl::hasRoom() const {
   const planning::OutlineCheck corners(outline_);
   const NeighbourCheck neighbours(neighbours_, pose_->pose, outline_);
-  return [this, corners, neighbours, begun = floorAt(recovery_began_.back())](const Pose2& pose) {
-    if (!neighbours.isOutlineOnOwnSide(pose)) return false;
+  return [this, corners, neighbours, stays_on_seen = staysOnSeenGround(),
+          begun = floorAt(recovery_began_.back())](const Pose2& pose) {
+    if (!neighbours.isOutlineOnOwnSide(pose) || !stays_on_seen(pose)) return false;
     const auto keeps = [&](const MapFloor& floor) {
       return clearance_.clearance(pose.position()) >= floor.lane && corners.fits(clearance_, pose, floor.corner_slack);
     };

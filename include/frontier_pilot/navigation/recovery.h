@@ -16,7 +16,8 @@ namespace frontier_pilot::navigation {
 /// of the outline; large if there is none.
 using ScanDistance = std::function<double(const Outline& outline, const Pose2& T_map_base)>;
 
-/// Whether a robot at `T_map_base` keeps off what the map shows, and off what stands or moves on free floor.
+/// Whether a robot at `T_map_base` keeps off what the map shows, off what stands or moves on free floor, and off ground
+/// that was never seen.
 using HasRoom = std::function<bool(const Pose2& T_map_base)>;
 
 /// Inputs of a recovery, in the map frame.
@@ -27,8 +28,9 @@ struct RecoveryInputs {
   const std::deque<Pose2>* track = nullptr;
   bool can_turn = true;                    ///< whether the map leaves room to turn right round where the robot is
   std::function<bool()> path_exists = {};  ///< whether the planner finds a path from there; takes milliseconds
-  /// Whether a pose keeps off the map and the live obstacles, at least as well as where the recovery began, and lies on
-  /// the robot's own side of whatever may move [MUL-3]; empty if there is no map. Valid in this tick only.
+  /// Whether a pose keeps off the map and the live obstacles, at least as well as where the recovery began, lies on the
+  /// robot's own side of whatever may move [MUL-3], and covers no new ground that neither the map nor the scan shows
+  /// [NAV-4]; empty if there is no map. Valid in this tick only.
   HasRoom has_room = {};
 };
 
