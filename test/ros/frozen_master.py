@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""The window and the recorder at a master that hangs: they end all the same. The test has a master of its own, which it may freeze."""
+"""What a master that hangs, or is gone, must not change: the window and the recorder end all the same, and a map keeps its owner. The test
+has a master of its own, which it may freeze."""
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -12,6 +14,25 @@ import rospy
 import rostest
 
 from wire import Node, free_port, wait_for
+
+# Publishes a map of some side: at first once, and each half second with a third argument.
+MAP = """
+import sys
+import rospy
+from nav_msgs.msg import OccupancyGrid
+rospy.init_node(sys.argv[1])
+map = OccupancyGrid()
+map.header.frame_id = 'map'
+map.info.resolution, map.info.width, map.info.height = 0.05, int(sys.argv[2]), int(sys.argv[2])
+map.info.origin.orientation.w = 1.0
+map.data = [0] * int(sys.argv[2]) ** 2
+topic = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
+topic.publish(map)
+while len(sys.argv) > 3 and not rospy.is_shutdown():
+    rospy.rostime.wallsleep(0.5)
+    topic.publish(map)
+rospy.spin()
+"""
 
 
 class FrozenMaster(unittest.TestCase):
@@ -60,6 +81,28 @@ class FrozenMaster(unittest.TestCase):
         code, said = recorder.finish()
         self.assertEqual(code, 0, said)
         self.assertIn('run_recorder: recorded', said)
+
+    def map_is_heard(self):
+        return all(node in dict(self.state(part) or {}).get('/map', []) for part, node in ((0, '/owner'), (1, '/navigator')))
+
+    def start_map(self, *arguments):
+        process = subprocess.Popen([sys.executable, '-c', MAP, *arguments], env=dict(os.environ, ROS_MASTER_URI=self.uri))
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+
+    def test_a_silent_owner_keeps_its_map_while_the_master_hangs_and_after_it_has_died(self):
+        """[FLT-1]"""
+        navigator = Node('navigator', environment=dict(os.environ, ROS_MASTER_URI=self.uri))
+        self.addCleanup(navigator.process.kill)
+        self.start_map('owner', '20')
+        self.assertTrue(wait_for(self.map_is_heard, 30.0))
+        time.sleep(2.0)  # until its map has arrived
+        self.start_map('stranger', '10', 'again')  # a map that is smaller, again and again
+        self.assertTrue(wait_for(lambda: 'while /owner publishes the map' in navigator.said(), 20.0), navigator.said())
+        for what in (signal.SIGSTOP, signal.SIGKILL):
+            self.master.send_signal(what)
+            time.sleep(8.0)  # an owner is asked about once it was silent for five seconds
+            self.assertNotIn('map shrank', navigator.said(), "the stranger's map replaced that of the owner, which lives")
 
 
 if __name__ == '__main__':

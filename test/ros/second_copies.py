@@ -33,6 +33,7 @@ while topic.get_num_connections() == 0:
     rospy.rostime.wallsleep(0.01)
 map.header.stamp = rospy.Time.now()
 topic.publish(map)
+print('published', flush=True)
 rospy.spin()
 """ % (SIDE, SIDE, SIDE * SIDE)
 
@@ -124,6 +125,22 @@ class SecondCopies(unittest.TestCase):
         self.assertTrue(wait_for(lambda: abs(status.last.explored_area - 0.5) < 1e-6))
         areas = {round(message.explored_area, 6) for _, message in status.items[heard:]}
         self.assertEqual(areas, {0.25, 0.5}, '[FLT-1]')
+
+    # [FLT-1] [MAP-3]
+    def test_the_map_of_a_stranger_does_not_replace_that_of_a_node_that_lives_and_has_withdrawn_it(self):
+        status = Record('frontier_explorer/status', ExplorerStatus)
+        topic = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
+        self.start('frontier_explorer')
+        topic.publish(map_with_free_cells(100))
+        self.assertTrue(wait_for(lambda: status.last is not None and abs(status.last.explored_area - 0.25) < 1e-6))
+        topic.unregister()  # as a mapper does beside a stranger
+        stranger = subprocess.Popen([sys.executable, '-c', STRANGER], stdout=subprocess.PIPE)
+        self.addCleanup(stranger.communicate)
+        self.addCleanup(stranger.kill)
+        stranger.stdout.readline()  # it has published its map
+        heard = len(status.items)
+        self.assertTrue(wait_for(lambda: len(status.items) >= heard + 5, 15.0))
+        self.assertAlmostEqual(status.last.explored_area, 0.25, 6, '[FLT-1]')
 
     # [FLT-1]
     def test_a_map_that_was_refused_is_used_once_the_stranger_before_it_has_died(self):

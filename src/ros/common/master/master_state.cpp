@@ -77,14 +77,16 @@ Reach reach(std::string host, std::uint32_t port, bool in_a_hurry) {
   return Reach::kRefused;
 }
 
-/// Asks the master with `method`, `lookupNode` or `lookupService`, for the address of `name`; empty if it has none.
-std::string lookUp(const char* method, const std::string& name) {
+/// Asks the master with `method`, `lookupNode` or `lookupService`, for the address of `name`; empty if it has none, and
+/// nothing if it does not answer.
+std::optional<std::string> lookUp(const char* method, const std::string& name) {
   XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
   request[1] = name;
-  std::optional<XmlRpc::XmlRpcValue> uri = requestFromMaster(method, request);
-  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return {};
-  return static_cast<std::string>(*uri);
+  std::optional<RpcAnswer> uri = askTheMaster(method, request);
+  if (!uri) return std::nullopt;
+  if (!uri->success || uri->value.getType() != XmlRpc::XmlRpcValue::TypeString) return std::string();
+  return static_cast<std::string>(uri->value);
 }
 
 std::optional<Reach> reach(const std::string& uri, bool in_a_hurry = false) {
@@ -118,15 +120,19 @@ bool isNodeOf(const NodesByName& nodes, const std::string& name, const std::stri
   return std::find(registered.begin(), registered.end(), node) != registered.end();
 }
 
-std::string uriOf(const std::string& node) { return lookUp("lookupNode", node); }
+std::string uriOf(const std::string& node) { return lookUp("lookupNode", node).value_or(""); }
 
-std::string uriOfService(const std::string& service) { return lookUp("lookupService", service); }
+std::string uriOfService(const std::string& service) { return lookUp("lookupService", service).value_or(""); }
 
-bool nodeLives(const std::string& node) {
-  const std::optional<Reach> address = reach(uriOf(node));
+std::optional<bool> lifeOf(const std::string& node) {
+  const std::optional<std::string> uri = lookUp("lookupNode", node);
+  if (!uri) return std::nullopt;
+  const std::optional<Reach> address = reach(*uri);
   if (!address || *address == Reach::kRefused) return false;  // a host that is unknown here may be known to others
   return reach(uriOfService(node + "/set_logger_level")) != Reach::kRefused;
 }
+
+bool nodeLives(const std::string& node) { return lifeOf(node).value_or(false); }
 
 bool anyMayLive(const std::set<std::string>& uris) {
   return std::any_of(uris.begin(), uris.end(),

@@ -33,7 +33,10 @@ std::string uriOfService(const std::string& service);
 
 /// Whether the node's process exists, even if it hangs: neither its XML-RPC port nor that of its services refuses
 /// connections. A node that was killed stays registered, but its ports refuse them; another process may have got one of
-/// the two since, hardly both. Every node of roscpp and rospy has the service `set_logger_level`.
+/// the two since, hardly both. Every node of roscpp and rospy has the service `set_logger_level`. Nothing if the master
+/// does not answer.
+std::optional<bool> lifeOf(const std::string& node);
+/// The same; false if the master does not answer.
 bool nodeLives(const std::string& node);
 
 /// Whether one of the processes with these XML-RPC URIs may exist, for a thread that must not wait: no name server is

@@ -105,6 +105,7 @@ void MasterWatch::look() {
   sayWhatWasRenewed();
   session_.tell();
   setRivals(report.rivals);
+  if (missing_.empty() && remembered_.empty()) nodes_.look();
   if (lists_topics_) {
     if (const auto types = askTopicTypes()) {
       const std::lock_guard<std::mutex> lock(mutex_);

@@ -82,6 +82,10 @@ class MasterWatch {
   bool mayReceive(const ros::Subscriber& subscriber) const {
     return subscriber.getNumPublishers() > 0 && watched_.mayBePublished(subscriber.getTopic());
   }
+  /// Whether `node` lives, as a look after `since` has found it. Nothing as long as that is not known: the next look
+  /// finds it out, unless the master does not answer, or has forgotten this node, and so perhaps others, in the last
+  /// ten seconds.
+  std::optional<bool> lives(const std::string& node, SteadyTime since) { return nodes_.lives(node, since); }
   /// Each look is also to find out which subscribers of `topic`, a resolved name, live. Empty: of none any more.
   void watchListeners(const std::string& topic);
   /// The topics of the last look that listed them; empty before.
@@ -115,6 +119,7 @@ class MasterWatch {
 
   Mailbox<MasterReport> report_;
   PublisherWatch watched_;
+  NodeWatch nodes_;
   Duration period_;
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;

@@ -1,9 +1,6 @@
 #include "ros/common/master/publisher_watch.h"
 
-#include <optional>
-#include <utility>
-
-#include "ros/common/master/master_state.h"
+#include "ros/common/clock.h"
 #include "ros/common/master/registration.h"
 
 namespace frontier_pilot {
@@ -34,6 +31,30 @@ void PublisherWatch::look() {
 bool PublisherWatch::mayBePublished(const std::string& topic) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return dead_.count(topic) == 0;
+}
+
+std::optional<bool> NodeWatch::lives(const std::string& node, SteadyTime since) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = found_.find(node);
+  if (found != found_.end() && found->second.time >= since) return found->second.lives;
+  asked_.insert(node);
+  return std::nullopt;
+}
+
+void NodeWatch::look() {
+  std::set<std::string> asked;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    asked.swap(asked_);
+  }
+  if (asked.empty()) return;
+  std::map<std::string, Finding> found;
+  for (const std::string& node : asked) {
+    const SteadyTime now = steadyNow();
+    if (const auto lives = question_(node)) found[node] = {*lives, now};
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  found_ = std::move(found);
 }
 
 }  // namespace frontier_pilot

@@ -18,8 +18,17 @@ inline std::vector<XmlRpc::XmlRpcValue> elements(XmlRpc::XmlRpcValue& array) {
   return all;
 }
 
+/// An answer of ROS' XML-RPC API.
+struct RpcAnswer {
+  bool success = false;
+  XmlRpc::XmlRpcValue value;  ///< of no meaning without success
+};
+
+/// Calls a method of the master; nothing if there is no answer within two seconds. ros::master::execute would wait
+/// forever for a master that hangs.
+std::optional<RpcAnswer> askTheMaster(const char* method, const XmlRpc::XmlRpcValue& arguments);
 /// Calls a method of ROS' XML-RPC API and returns the value of the answer; nothing if there is no answer within two
-/// seconds, or if it is an error. ros::master::execute would wait forever for a master that hangs.
+/// seconds, or if it is an error.
 std::optional<XmlRpc::XmlRpcValue> requestFrom(const std::string& host, std::uint32_t port, const char* method,
                                                const XmlRpc::XmlRpcValue& arguments);
 /// The same, at the master.

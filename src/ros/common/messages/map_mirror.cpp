@@ -7,7 +7,6 @@
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/clock.h"
 #include "ros/common/maps/map_changes.h"
-#include "ros/common/master/master_state.h"
 #include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 
@@ -63,15 +62,14 @@ bool MapMirror::rightFrame(const std::string& frame) {
 }
 
 void MapMirror::refuse(const std::string& publisher) {
-  rejections_.add("from " + publisher + ", while " + publisher_ + " publishes the map");
+  rejections_.add("from " + publisher + ", while " + owner_.name() + " publishes the map");
 }
 
 bool MapMirror::ownerLives() {
-  constexpr Duration kSilence = std::chrono::seconds(5);
-  if (steadyNow() - owner_heard_ < kSilence) return true;
-  if (!nodeLives(publisher_)) return false;
-  owner_heard_ = steadyNow();
-  return true;
+  if (connections_ == nullptr) return false;
+  return owner_.lives(steadyNow(), [this](const std::string& node, SteadyTime since) {
+    return connections_->master().lives(node, since);
+  });
 }
 
 void MapMirror::startOver() {
@@ -80,23 +78,17 @@ void MapMirror::startOver() {
   recent_.clear();
 }
 
-bool MapMirror::admits(const std::string& publisher, Way way) {
-  if (mayBelongTo(publisher)) return true;
-  const std::uint32_t plain = map_subscriber_.getNumPublishers();
-  const std::uint32_t compact = changes_subscriber_.getNumPublishers();
-  // The owner may still be connected by the topics of the other kind alone.
-  const bool by_others = way != way_ && (way_ == Way::kPlain ? plain : compact) > 0;
-  if ((std::max(plain, compact) <= 1 && !by_others) || !ownerLives()) return true;
+bool MapMirror::admits(const std::string& publisher) {
+  if (mayBelongTo(publisher) || !ownerLives()) return true;
   refused_a_map_ = true;
   refuse(publisher);
   return false;
 }
 
 void MapMirror::own(const std::string& publisher, const std_msgs::Header& header, Way way) {
-  if (publisher != publisher_ || way != way_) startOver();
-  publisher_ = publisher;
+  if (publisher != owner_.name() || way != way_) startOver();
+  owner_.hear(publisher, steadyNow());
   way_ = way;
-  owner_heard_ = steadyNow();
   refused_a_map_ = false;
   lacks_changes_ = false;
   heard_frame_ = header.frame_id;
@@ -104,8 +96,8 @@ void MapMirror::own(const std::string& publisher, const std_msgs::Header& header
 
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (way_ == Way::kCompact && publisher == publisher_) return;
-  if (!admits(publisher, Way::kPlain)) return;
+  if (way_ == Way::kCompact && publisher == owner_.name()) return;
+  if (!admits(publisher)) return;
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
@@ -149,9 +141,8 @@ void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std
   if (!rightFrame(msg.header.frame_id)) return;
   if (!mayBelongTo(publisher)) return refuse(publisher);
   if (way_ == Way::kCompact) return;
-  if (publisher != publisher_) startOver();
-  publisher_ = publisher;
-  owner_heard_ = steadyNow();
+  if (publisher != owner_.name()) startOver();
+  owner_.hear(publisher, steadyNow());
   std::string why;
   const auto update = toGridUpdate(msg, &why);
   if (!update) return rejections_.add(why);
@@ -167,7 +158,7 @@ void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std
 void MapMirror::handleChanges(const MapChanges& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
   const bool whole = msg.whole != 0;
-  if (whole && !admits(publisher, Way::kCompact)) return;
+  if (whole && !admits(publisher)) return;
   if (!whole && !mayBelongTo(publisher)) return refuse(publisher);
   std::string why;
   const auto changes = CheckedMapChanges::check(msg, &why);
@@ -177,7 +168,7 @@ void MapMirror::handleChanges(const MapChanges& msg, const std::string& publishe
     replace(changes->whole());
   } else {
     if (way_ != Way::kCompact) return;  // its whole map has not come yet
-    owner_heard_ = steadyNow();
+    owner_.hear(publisher, steadyNow());
     if (msg.sequence != sequence_ + 1) lacks_changes_ = true;
     if (changes->geometry() != map_.geometry()) {
       lacks_changes_ = true;

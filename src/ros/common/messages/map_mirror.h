@@ -13,6 +13,7 @@
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/time.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/maps/map_owner.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/node_connections.h"
 
@@ -54,8 +55,9 @@ class RecentUpdates {
 /// the stamps of either topic go back) nor between publishers. A map or update without a stamp is applied as it comes.
 ///
 /// The first node that sends a map owns it: while that node lives, maps and updates of any other node are refused,
-/// whichever topics they come by, and counted by that node's name. A map and its updates come from one node. Once the
-/// owner of a map has died, a map that was refused is asked for again. [FLT-1]
+/// whichever topics they come by, and counted by that node's name; also while the owner withdraws its topics, as a
+/// mapper does beside another one. A map and its updates come from one node. Once the owner of a map has died, a map
+/// that was refused is asked for again. [FLT-1]
 ///
 /// Malformed messages are counted with a warning and leave the copy as it was. A smaller map (of a mapper that started
 /// over) replaces a larger one, with a warning in the log.
@@ -94,21 +96,23 @@ class MapMirror {
 
   bool rightFrame(const std::string& frame);
   /// Before the first map there is no owner.
-  bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == publisher_; }
+  bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == owner_.name(); }
   void refuse(const std::string& publisher);
-  /// Whether a whole map of `publisher` that came by the topics of the kind `way` is taken; if not, it is refused.
-  bool admits(const std::string& publisher, Way way);
+  /// Whether a whole map of `publisher` is taken; if not, it is refused.
+  bool admits(const std::string& publisher);
   /// A map of `publisher` is taken, which owns it from now on.
   void own(const std::string& publisher, const std_msgs::Header& header, Way way);
   /// Whether a node publishes `map` and not `map_changes`.
   bool isOfferedPlain(const MasterWatch& master) const;
   /// Whether the map was asked for because changes were lost, so recently that its publisher may not be connected yet.
   bool isAsking() const;
+  /// Whether the master answers now. One that hangs is not asked: that takes long.
+  bool masterAnswers() const;
   /// Subscribes to those topics that are needed now.
   void chooseTopics(const MasterWatch& master);
   void listenToMap();
   void listenToChanges();
-  /// Whether the owner still lives. If it has been silent for five seconds, its XML-RPC port is tried.
+  /// Whether the owner still lives. Nothing is waited for: a silent one is looked for on the thread of the MasterWatch.
   bool ownerLives();
   /// Subscribes anew if a map was refused whose rival has died since: publishers send their map to a new subscriber.
   void askAgain();
@@ -127,8 +131,7 @@ class MapMirror {
   CellRect changed_;
   Time stamp_{};
   Way way_ = Way::kPlain;             ///< by which the map came
-  std::string publisher_;             ///< the owner of the map; before the first one, of the updates so far
-  SteadyTime owner_heard_{};          ///< when the owner last sent a message, or was found alive
+  MapOwner owner_;                    ///< of the map; before the first one, of the updates so far
   std::optional<Time> map_stamp_;     ///< of the last map; none after `startOver`
   std::optional<Time> update_stamp_;  ///< of the last update that had one
   RecentUpdates recent_;

@@ -64,16 +64,19 @@ bool MapMirror::isOfferedPlain(const MasterWatch& master) const {
   });
 }
 
+bool MapMirror::masterAnswers() const {
+  constexpr Duration kRecent = std::chrono::seconds(2);
+  return steadyNow() - connections_->master().lastAnswer() <= kRecent && askMaster();
+}
+
 void MapMirror::chooseTopics(const MasterWatch& master) {
   constexpr Duration kBetweenQuestions = std::chrono::seconds(5);
-  constexpr Duration kRecent = std::chrono::seconds(2);
   if (changes_subscriber_.getNumPublishers() == 0 && !isAsking()) way_ = Way::kPlain;
   const bool wants_map = way_ == Way::kPlain || isOfferedPlain(master);
   const bool asks = way_ == Way::kCompact && lacks_changes_ && steadyNow() - asked_ > kBetweenQuestions;
   const bool listens = map_subscriber_;
   if (wants_map == listens && !asks) return;
-  // Without a master, each of these would wait for it. One that hangs is not asked: that takes long.
-  if (steadyNow() - master.lastAnswer() > kRecent || !askMaster()) return;
+  if (!masterAnswers()) return;  // each of these would wait for it
   if (asks) {
     asked_ = steadyNow();
     listenToChanges();
@@ -103,7 +106,7 @@ std::string MapMirror::missing(const InputWatch::Topics& topics) const {
 
 void MapMirror::askAgain() {
   if (!refused_a_map_ || ownerLives()) return;
-  if (!askMaster()) return;  // without a master, a new subscription would wait for it and the old one would be lost
+  if (!masterAnswers()) return;  // without a master, a new subscription would wait for it and the old one would be lost
   refused_a_map_ = false;
   way_ = Way::kPlain;
   listenToChanges();
