@@ -149,6 +149,7 @@ bool Navigator::Impl::isBlind(const LaserScan2& scan, const Pose2& T_map_base) {
 
 void Navigator::Impl::takeEvents(const NavigatorInputs& inputs, Time now) {
   if (inputs.cancel && goal_) finish(NavResult::kCanceled, NavReason::kCanceled);
+  if (inputs.map_replaced && goal_) finish(NavResult::kAborted, NavReason::kMapReplaced);
   if (!inputs.new_goal) return;
   if (goal_) finish(NavResult::kPreempted, NavReason::kPreempted);
   start(*inputs.new_goal, now);

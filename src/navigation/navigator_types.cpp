@@ -7,7 +7,8 @@ namespace frontier_pilot::navigation {
 namespace {
 
 constexpr std::array kUnableToDrive = {NavReason::kNoMap,        NavReason::kNoPose,      NavReason::kNoScan,
-                                       NavReason::kNotLocalized, NavReason::kClockJumped, NavReason::kInternalError};
+                                       NavReason::kNotLocalized, NavReason::kClockJumped, NavReason::kInternalError,
+                                       NavReason::kMapReplaced};
 
 }  // namespace
 
@@ -73,6 +74,8 @@ const char* toString(NavReason reason) {
       return "not localised";
     case NavReason::kInternalError:
       return "internal error";
+    case NavReason::kMapReplaced:
+      return "the map was replaced";
   }
   return "unknown";
 }

@@ -17,7 +17,7 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetMap
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
-from std_msgs.msg import Bool
+from std_msgs.msg import Bool, String
 from std_srvs.srv import Trigger
 
 from wire import Record, wait_for
@@ -157,9 +157,14 @@ class KnownMap(unittest.TestCase):
 
     def test_mapping_goes_on_upon_a_loaded_map(self):
         """[MAP-5]"""
+        replaced = Record('mapper/replaced', String)
+        self.assertTrue(wait_for(lambda: replaced.subscriber.get_num_connections() > 0))
         self.assertTrue(rospy.ServiceProxy('mapper/reset', Trigger)().success)
         answer = rospy.ServiceProxy('mapper/load_map', LoadMap)(self.saved)
         self.assertTrue(answer.success, answer.message)
+        self.assertFalse(rospy.ServiceProxy('mapper/load_map', LoadMap)('').success)
+        self.assertTrue(wait_for(lambda: len(replaced.items) == 2), replaced.items)
+        self.assertEqual([text.data for _, text in replaced.items], ['the map is cleared', answer.message])
         self.assertEqual(100, self.value_at(self.map_of(''), -2.02, 0.5))
         inserted = self.count('scans, inserted')
 

@@ -178,6 +178,15 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.client.cancel_goal()
         self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
 
+    def test_a_goal_does_not_outlive_its_map(self):  # [NAV-1] [MAP-5]
+        replaced = rospy.Publisher('mapper/replaced', String, queue_size=1)
+        self.addCleanup(replaced.unregister)
+        self.assertTrue(wait_for(lambda: replaced.get_num_connections() > 0))
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        replaced.publish('floor.yaml loaded')
+        self.expect_end(GoalStatus.ABORTED, 'the map was replaced', 2.0)
+
     def test_no_goal_outlives_a_stop_and_none_that_comes_meanwhile_commands_motion(self):  # [ARB-8]
         stop = self.stop_state()
         self.send(FAR)

@@ -52,6 +52,7 @@ struct NavigatorInputs {
   Twist2 twist;                      ///< current one, from odometry
   std::optional<NavGoal> new_goal;   ///< an event: preempts the current goal
   bool cancel = false;               ///< an event; acts before `new_goal`
+  bool map_replaced = false;         ///< an event: the goal was meant for another map; acts before `new_goal`
   NavOrder order;                    ///< holds for this tick; empty for a robot that is alone
 };
 
@@ -82,11 +83,12 @@ enum class NavReason {
   kTraffic,
   kNotLocalized,
   kInternalError,
+  kMapReplaced,
 };
 /// The text of results and status, e.g. "goal occupied".
 const char* toString(NavReason reason);
 /// Whether a goal that ended so could have been any other: the navigator lacked what it needs to drive anywhere, for
-/// example a scan.
+/// example a scan, or the map of all goals was replaced.
 bool isUnableToDrive(NavReason reason);
 /// The same by the text of a result.
 bool isUnableToDrive(const std::string& text);

@@ -72,6 +72,7 @@ constexpr const char* kSaveMergedMap = "map_merger/save_map";
 constexpr const char* kLoadMap = "mapper/load_map";
 constexpr const char* kLocalize = "mapper/localize";
 constexpr const char* kLocalized = "mapper/localized";
+constexpr const char* kMapReplaced = "mapper/replaced";
 constexpr const char* kResetMap = "mapper/reset";
 constexpr const char* kInitialPose = "initialpose";  // rviz' own name
 

@@ -65,6 +65,7 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.success = static_cast<std::uint8_t>(result.ok());
   response.message = result.text;
   if (result.ok()) {
+    publisher_.announceReplacement(result.text);
     restored_.reset();  // a map that was kept is not wanted any more
     if (parameters_.autosave_period == 0.0 || mapper_.map().isBlank()) {
       autosave_.forget();  // nothing will replace the copy

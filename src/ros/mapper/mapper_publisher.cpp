@@ -2,6 +2,7 @@
 
 #include <nav_msgs/MapMetaData.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 
 #include <utility>
 
@@ -17,6 +18,7 @@ MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame,
                                  const mapping::MapScheduleParameters& schedule)
     : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {
   localized_ = node_.advertise<std_msgs::Bool>(names::kLocalized, 1, true);
+  replaced_ = node_.advertise<std_msgs::String>(names::kMapReplaced, 10);
 }
 
 void MapperPublisher::setOther(const std::string& node) {
@@ -61,6 +63,12 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
       map.geometry(), changes.cells, [&map](const CellRect& cells) { return map.projection(cells); }, now);
   if (schedule_.note(changes, now)) publishChanges(map, changes.cells, now);
   if (schedule_.isDue(map.geometry().size(), now)) publishWhole(map, now);
+}
+
+void MapperPublisher::announceReplacement(const std::string& why) {
+  std_msgs::String msg;
+  msg.data = why;
+  replaced_.publish(msg);
 }
 
 void MapperPublisher::publishLost() {

@@ -28,6 +28,9 @@ class MapperPublisher {
   const std::string& other() const { return other_; }
 
   void publish(mapping::Mapper& mapper, Time now);
+  /// Publishes on `mapper/replaced` that another map is there now, and why: what was meant for the map of before, such
+  /// as a goal, is void.
+  void announceReplacement(const std::string& why);
   /// Publishes on `mapper/localized` that the robot is not found on the map: when that is new, and once a second, so
   /// that what somebody else has said there does not stay. [MAP-5]
   void publishLost();
@@ -52,7 +55,7 @@ class MapperPublisher {
   ros::Publisher updates_;
   ros::Publisher metadata_;
   MapChangesPublisher compact_;
-  ros::Publisher localized_;
+  ros::Publisher localized_, replaced_;
   std::optional<Time> found_at_;  ///< ROS time of the first transform since the robot is localised
   std::optional<bool> said_localized_;
   SteadyTime said_at_;

@@ -33,6 +33,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   looked_for_ = false;
   response.success = 1U;
   response.message = "the map is cleared";
+  publisher_.announceReplacement(response.message);
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -28,10 +29,13 @@ NodeUsage mapperUsage() {
   usage.reads = {port<sensor_msgs::LaserScan>(names::kScan), port<nav_msgs::Odometry>(names::kOdom),
                  port<geometry_msgs::PoseWithCovarianceStamped>(names::kInitialPose),
                  port<tf2_msgs::TFMessage>(names::kTf), port<tf2_msgs::TFMessage>(names::kTfStatic)};
-  usage.publishes = {
-      port<nav_msgs::OccupancyGrid>(names::kMap),      port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
-      port<MapChanges>(names::changesOf(names::kMap)), port<nav_msgs::MapMetaData>(names::kMapMetadata),
-      port<std_msgs::Bool>(names::kLocalized),         port<tf2_msgs::TFMessage>(names::kTf)};
+  usage.publishes = {port<nav_msgs::OccupancyGrid>(names::kMap),
+                     port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
+                     port<MapChanges>(names::changesOf(names::kMap)),
+                     port<nav_msgs::MapMetaData>(names::kMapMetadata),
+                     port<std_msgs::Bool>(names::kLocalized),
+                     port<std_msgs::String>(names::kMapReplaced),
+                     port<tf2_msgs::TFMessage>(names::kTf)};
   usage.services = {servicePort<nav_msgs::GetMap>(names::kDynamicMap), servicePort<SaveMap>(names::kSaveMap),
                     servicePort<LoadMap>(names::kLoadMap), servicePort<std_srvs::Trigger>(names::kLocalize),
                     servicePort<std_srvs::Trigger>(names::kResetMap)};

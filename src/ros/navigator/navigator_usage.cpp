@@ -29,13 +29,19 @@ NodeUsage navigatorUsage() {
   usage.purpose =
       "Drives to goals on the map: plans a path, follows it past obstacles that the scan shows, and recovers when\n"
       "it is stuck. Takes the place of move_base.";
-  usage.reads = {
-      port<nav_msgs::OccupancyGrid>(names::kMap),       port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
-      port<MapChanges>(names::changesOf(names::kMap)),  port<sensor_msgs::LaserScan>(names::kScan),
-      port<nav_msgs::Odometry>(names::kOdom),           port<geometry_msgs::PoseStamped>(names::kSimpleGoal),
-      port<std_msgs::Bool>(names::kEmergencyStopState), port<ArbiterStatus>(names::kArbiterStatus),
-      port<std_msgs::Bool>(names::kLocalized),          port<tf2_msgs::TFMessage>(names::kTf),
-      port<tf2_msgs::TFMessage>(names::kTfStatic),      port<FleetMotion>(names::kFleetMotions)};
+  usage.reads = {port<nav_msgs::OccupancyGrid>(names::kMap),
+                 port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
+                 port<MapChanges>(names::changesOf(names::kMap)),
+                 port<sensor_msgs::LaserScan>(names::kScan),
+                 port<nav_msgs::Odometry>(names::kOdom),
+                 port<geometry_msgs::PoseStamped>(names::kSimpleGoal),
+                 port<std_msgs::Bool>(names::kEmergencyStopState),
+                 port<ArbiterStatus>(names::kArbiterStatus),
+                 port<std_msgs::Bool>(names::kLocalized),
+                 port<std_msgs::String>(names::kMapReplaced),
+                 port<tf2_msgs::TFMessage>(names::kTf),
+                 port<tf2_msgs::TFMessage>(names::kTfStatic),
+                 port<FleetMotion>(names::kFleetMotions)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelNav),
                      port<nav_msgs::Path>(names::kPlan),
                      port<nav_msgs::Path>(names::kLocalPlan),

@@ -37,6 +37,7 @@ class DrivenRobot {
     event_.new_goal = navigation::NavGoal{id, goal, use_yaw};
   }
   void cancel() { event_.cancel = true; }
+  void replaceMap() { event_.map_replaced = true; }
 
   /// One tick of 50 ms.
   const navigation::NavigatorOutput& tick() {
