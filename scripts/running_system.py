@@ -35,14 +35,21 @@ def reasons_at(uri):
         listening = [(str(topic), str(node)) for topic, nodes in subscribed for node in nodes]
     except Exception:  # what the library throws depends on what answers there
         return []  # roslaunch starts a master, or says what is wrong with the address
+    reasons = [('%s publishes %s', node, topic) for topic, node in published if last_word(topic) in TELLING] + [
+        ('%s listens to %s', node, topic) for topic, node in listening
+        if last_word(topic) == COMMANDS and not node.startswith(ONLOOKERS)]
+    if reasons or not published:
+        return reasons
+    types = types_at(master)
+    return [('%s publishes %s', node, topic) for topic, node in published if types.get(topic) in TELLING_TYPES]
+
+
+def types_at(master):
+    """The types of the topics; none if the master does not say them."""
     try:
-        types = {str(topic): str(kind) for topic, kind in master.getTopicTypes('/running_system')[2]}
+        return {str(topic): str(kind) for topic, kind in master.getTopicTypes('/running_system')[2]}
     except Exception:
-        types = {}  # their names tell enough of most
-    return [('%s publishes %s', node, topic) for topic, node in published
-            if last_word(topic) in TELLING or types.get(topic) in TELLING_TYPES] + [
-                ('%s listens to %s', node, topic) for topic, node in listening
-                if last_word(topic) == COMMANDS and not node.startswith(ONLOOKERS)]
+        return {}
 
 
 def last_word(topic):
