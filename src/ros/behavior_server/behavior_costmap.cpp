@@ -25,24 +25,26 @@ void BehaviorCostmap::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
   // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
-  waiting_ = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (!T_base_sensor) return rejections_.addWaiting(why);
-  if (!waiting_) return rejections_.add(why);
-  timing_.apply(*waiting_);
+  auto scan = toLaserScan(msg, *T_base_sensor, &why);
+  if (!scan) return rejections_.add(why);
+  timing_.apply(*scan);
+  waiting_.add(std::move(*scan));
   takeIn();
 }
 
 void BehaviorCostmap::takeIn() {
-  if (!waiting_) return;
-  const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->end());
-  if (!T_odom_base) return;
-  const bool covered = placeBeams(motionDuring(*waiting_), ScanReference::kEnd, *waiting_);
-  if (!scan_motion_.note(timing_, covered, *waiting_, T_odom_base)) {
+  waiting_.take([this](Time time) { return tf_.lookup(frames_.odom_frame, frames_.base_frame, time); },
+                [this](LaserScan2& scan, const Pose2& T_odom_base) { insert(scan, T_odom_base); });
+}
+
+void BehaviorCostmap::insert(LaserScan2& scan, const Pose2& T_odom_base) {
+  const bool covered = placeBeams(motionDuring(scan), ScanReference::kEnd, scan);
+  if (!scan_motion_.note(timing_, covered, scan, T_odom_base)) {
     rejections_.add(kFrozenScan);
-  } else if (!surroundings_.insert(*waiting_, *T_odom_base)) {
+  } else if (!surroundings_.insert(scan, T_odom_base)) {
     rejections_.add(kDoesNotShowAhead);
   }
-  waiting_.reset();
 }
 
 PoseTrack BehaviorCostmap::motionDuring(const LaserScan2& scan) const {
@@ -64,7 +66,7 @@ void BehaviorCostmap::report(diagnostic_updater::DiagnosticStatusWrapper& status
 }
 
 void BehaviorCostmap::clear() {
-  waiting_.reset();
+  waiting_.clear();
   surroundings_.clear();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frontier_pilot/behavior/collision_check.h"
+#include "ros/behavior_server/waiting_scans.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
@@ -49,13 +50,14 @@ class BehaviorCostmap {
  private:
   void handleScan(const sensor_msgs::LaserScan& msg);
   void takeIn();
+  void insert(LaserScan2& scan, const Pose2& T_odom_base);
   /// The poses from the first to the last beam of `scan`, by TF.
   PoseTrack motionDuring(const LaserScan2& scan) const;
 
   behavior::CollisionCheck surroundings_;
   BehaviorFrames frames_;
   const TfBridge& tf_;
-  std::optional<LaserScan2> waiting_;  ///< until TF has the robot's pose at the time of its last beam
+  WaitingScans waiting_;  ///< for TF
   BeamTiming timing_;
   ScanMotionReport scan_motion_;
   Rejections rejections_{"scan"};
