@@ -4,24 +4,26 @@
 #include <chrono>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace frontier_pilot::mapping {
 namespace {
 
 constexpr Duration kWindow = std::chrono::seconds(5);
-constexpr int kSlips = 2;            ///< this many scans with a problem are not reported
-constexpr double kLeastShare = 0.1;  ///< nor is a smaller share
+constexpr std::size_t kMostScans = 1000;  ///< scans, as while the clock stands still
+constexpr int kSlips = 2;                 ///< this many scans with a problem are not reported
+constexpr double kLeastShare = 0.1;       ///< nor is a smaller share
 
 }  // namespace
 
 void MappingHealth::add(Time now, const char* remark) {
   if (!entries_.empty() && now < entries_.back().time) entries_.clear();
   entries_.push_back({now, remark});
-  while (now - entries_.front().time > kWindow) entries_.pop_front();
+  while (entries_.size() > kMostScans || now - entries_.front().time > kWindow) entries_.pop_front();
 }
 
 std::optional<ScanRemark> MappingHealth::worst(Time now) const {
-  std::map<std::string, int> counts;
+  std::map<std::string_view, int> counts;
   int scans = 0;
   for (const Entry& entry : entries_) {
     if (now - entry.time > kWindow) continue;
@@ -33,7 +35,7 @@ std::optional<ScanRemark> MappingHealth::worst(Time now) const {
   if (most == counts.end() || most->second <= kSlips) return std::nullopt;
   const double share = static_cast<double>(most->second) / scans;
   if (share < kLeastShare) return std::nullopt;
-  return ScanRemark{most->first, share};
+  return ScanRemark{std::string(most->first), share};
 }
 
 }  // namespace frontier_pilot::mapping

@@ -14,10 +14,10 @@ constexpr const char* kMemoryUsedUp =
     "max_clear_range";
 
 /// Problems with the scans of the last seconds, for a summary at a glance: counts since the start would hide a recent
-/// one.
+/// one. Of very many scans only the last thousand count. [FLT-1]
 class MappingHealth {
  public:
-  /// Adds the problem with a scan; nullptr: there was none.
+  /// Adds the problem with a scan, a text that outlives this object; nullptr: there was none.
   void add(Time now, const char* remark);
   /// The most frequent problem of the last seconds, if it was not just a few scans.
   std::optional<ScanRemark> worst(Time now) const;

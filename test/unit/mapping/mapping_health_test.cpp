@@ -47,5 +47,12 @@ TEST_F(MappingHealthTest, BeginsAnewWhenTheClockIsSetBack) {
   EXPECT_FALSE(health.worst(now));
 }
 
+// [FLT-1] As while ROS time stands still.
+TEST_F(MappingHealthTest, FLT_1_RemembersABoundedNumberOfScansOfOneStamp) {
+  for (int i = 0; i < 100'000; ++i) health.add(now, "stale");
+  for (int i = 0; i < 1000; ++i) health.add(now, nullptr);
+  EXPECT_FALSE(health.worst(now)) << "they are all forgotten";
+}
+
 }  // namespace
 }  // namespace frontier_pilot
