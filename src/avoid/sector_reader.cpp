@@ -111,10 +111,13 @@ void SectorReader::add(const Vec2& point, SectorDistances& around) const {
   const bool in_lane = std::abs(point.y()) < half_lane_;
   if (left) around.front_left = std::min(around.front_left, distance);
   if (right) around.front_right = std::min(around.front_right, distance);
-  if (rear_.contains(point) || (in_lane && point.x() < 0.0)) around.rear = std::min(around.rear, distance);
-  if (left || right || !in_lane || point.x() <= 0.0) return;
-  double& lane = point.y() > 0.0 ? around.lane_left : around.lane_right;
-  lane = std::min(lane, distance);
+  if (rear_.contains(point)) around.rear = std::min(around.rear, distance);
+  if (!in_lane || point.x() == 0.0) return;
+  // The corners of a body that is no disc are as far ahead or behind as its middle is.
+  const double along = outline_.isDisc() ? distance : std::abs(point.x());
+  double& lane_ahead = point.y() > 0.0 ? around.lane_left : around.lane_right;
+  double& lane = point.x() < 0.0 ? around.rear : lane_ahead;
+  lane = std::min(lane, along);
 }
 
 std::string SectorReader::judge(const LaserScan2& scan) {

@@ -35,6 +35,8 @@ inline bool operator==(const AvoiderCommand& a, const AvoiderCommand& b) {
 }
 
 /// The nearest obstacles around the base in one scan: distances from the base's origin [m]; infinite if none in range.
+/// In the lane of a robot that is no disc they count along the lane, so that its corners have as much room as its
+/// middle.
 struct SectorDistances {
   static constexpr double kNothing = std::numeric_limits<double>::infinity();
 
@@ -42,7 +44,7 @@ struct SectorDistances {
   double front_right = kNothing;
   double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
   bool sees_rear = false;        ///< valid beams look along the lane behind the body
-  double lane_left = kNothing;   ///< in the lane ahead of the body but outside of the front sectors, on the left
+  double lane_left = kNothing;   ///< in the lane ahead of the body, also outside of the front sectors, on the left
   double lane_right = kNothing;  ///< the same on the right
   double nearest = kNothing;     ///< in any direction
   std::string fault;             ///< why the scan cannot be trusted; empty if it can

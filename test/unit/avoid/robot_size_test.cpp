@@ -73,6 +73,57 @@ TEST(AvoiderParameters, AreRefusedWhereTheyLieInsideTheRobotOrHaveAnOldName_ROB_
       << "told once, and nothing is derived from it";
 }
 
+/// What such a robot commands at the first scan, in which there is a single point at each of the `points` in its frame.
+avoid::AvoiderCommand firstCommand(const avoid::AvoiderParameters& parameters, const std::vector<Vec2>& points) {
+  const Time now = timeFromSeconds(100.0);
+  LaserScan2 scan = emptyScan({3600, 2.0 * kPi, false, {}}, now);
+  for (const Vec2& point : points) putObstacle(scan, bearing(point), point.norm(), 0.0);
+  avoid::Avoider avoider(parameters);
+  avoider.onScan(scan, now);
+  return avoider.tick(now).value();
+}
+
+/// A robot whose wheels are near its rear, which is wide for that.
+avoid::AvoiderParameters steeredFarAhead() {
+  avoid::AvoiderParameters parameters;
+  parameters.robot.outline = {0.5, 0.25, -0.1, 0.25, -0.1, -0.25, 0.5, -0.25};
+  parameters.robot.disc_radius = 0.0;
+  return parameters;
+}
+
+// [AVO-4] [ROB-1]
+TEST(AvoiderOfALongRobot, DoesNotBackUpIntoWhatStandsBehindARearCorner_AVO_4) {
+  const Vec2 ahead(0.7, 0.1);
+  EXPECT_LT(firstCommand(steeredFarAhead(), {ahead}).twist.linear, 0.0);
+  EXPECT_LT(firstCommand(steeredFarAhead(), {ahead, {-0.25, 0.24}}).twist.linear, 0.0) << "0.15 m behind the corner";
+  for (const double y : {-0.24, 0.0, 0.24}) {
+    for (const double x : {-0.13, -0.24}) {
+      EXPECT_GE(firstCommand(steeredFarAhead(), {ahead, {x, y}}).twist.linear, 0.0) << x << ", " << y << " [AVO-4]";
+    }
+  }
+}
+
+// [AVO-3] [ROB-1]
+TEST(AvoiderOfAWideRobot, StopsForWhatIsAheadOfAFrontCornerAsForWhatIsAheadOfItsMiddle_AVO_3) {
+  avoid::AvoiderParameters parameters;
+  parameters.robot.outline = {0.1, 0.6, -0.1, 0.6, -0.1, -0.6, 0.1, -0.6};
+  parameters.robot.disc_radius = 0.0;
+  for (const double y : {-0.59, 0.0, 0.59}) {
+    EXPECT_EQ(firstCommand(parameters, {{0.5, y}}), (avoid::AvoiderCommand{})) << y;
+    for (const double x : {0.2, 0.36, 0.49}) {
+      EXPECT_FALSE(firstCommand(parameters, {{x, y}}) == avoid::AvoiderCommand{}) << x << ", " << y << " [AVO-3]";
+    }
+  }
+}
+
+// [AVO-3] [AVO-4] [ROB-1]
+TEST(AvoiderOfABurger, MeasuresFromTheMiddleOfItsDisc_AVO_3) {
+  const avoid::AvoiderParameters burger = avoiderOf("burger");
+  EXPECT_EQ(firstCommand(burger, {{0.49, 0.12}}), (avoid::AvoiderCommand{}));
+  EXPECT_LT(firstCommand(burger, {{0.3, 0.0}, {-0.23, 0.12}}).twist.linear, 0.0);
+  EXPECT_EQ(firstCommand(burger, {{0.3, 0.0}, {-0.22, 0.1}}).twist.linear, 0.0);
+}
+
 /// A Waffle with something ahead, and at times something beside its tail and behind it.
 class WaffleAvoiderTest : public ::testing::Test {
  protected:
