@@ -75,6 +75,9 @@ std::optional<WaypointOutput> WaypointFollower::take(const LegEnd& ended) {
       return std::nullopt;
     case LegEnd::Kind::kReplaced:
       return end(WaypointOutcome::kReplaced, "aborted: the goal of " + inWords(current_) + " ended: " + ended.text);
+    case LegEnd::Kind::kUnable:
+      return end(WaypointOutcome::kNavigationUnable,
+                 "aborted: on the way to " + inWords(current_) + " the navigation could not drive: " + ended.text);
     case LegEnd::Kind::kFailed:
       if (auto output = miss(ended.text)) return output;
       break;

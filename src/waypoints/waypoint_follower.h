@@ -36,7 +36,8 @@ enum class WaypointOutcome {
   kInvalidGoal,
   kEmergencyStop,
   kNavigationGone,
-  kReplaced,  ///< another client sent a goal, or cancelled that of a waypoint
+  kReplaced,          ///< another client sent a goal, or cancelled that of a waypoint
+  kNavigationUnable,  ///< the navigation could drive nowhere, for example because the robot was not localised
   kWaypointMissed,
 };
 
@@ -46,7 +47,8 @@ struct LegEnd {
     kReached,
     kFailed,
     kReplaced,
-    kLost,  ///< the server died: the goal is sent again
+    kUnable,  ///< the navigation could drive nowhere: no fault of the place
+    kLost,    ///< the server died: the goal is sent again
   };
   std::uint32_t leg = 0;  ///< as in WaypointOutput::send
   Kind kind = Kind::kFailed;

@@ -10,6 +10,7 @@ import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from frontier_pilot.msg import FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult
 from geometry_msgs.msg import PoseArray, PoseStamped
+from move_base_msgs.msg import MoveBaseAction
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Trigger
 
@@ -132,6 +133,22 @@ class WaypointsOnTheWire(unittest.TestCase):
         result = self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE, 60.0)
         self.assertEqual([], list(result.missed_waypoints))
         self.assertTrue(self.is_at(MIDDLE))
+
+    def test_end_when_the_navigation_can_drive_nowhere_which_is_no_fault_of_the_places(self):  # [NAV-5]
+        legs = []
+
+        def give_up(goal):
+            legs.append(goal)
+            navigation.set_aborted(text='not localised')
+        navigation = actionlib.SimpleActionServer('elsewhere/move_base', MoveBaseAction, give_up, auto_start=False)
+        navigation.start()
+        self.client = actionlib.SimpleActionClient('elsewhere/follow_waypoints', FollowWaypointsAction)
+        self.assertTrue(self.client.wait_for_server(rospy.Duration(60.0)))
+        self.follow(NEAR, MIDDLE, FAR)
+        result = self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.NAVIGATION_UNABLE, 20.0)
+        self.assertIn('not localised', result.error_msg)
+        self.assertEqual([], list(result.missed_waypoints))
+        self.assertEqual(1, len(legs))
 
     def test_malformed_ones_are_refused_with_the_reason(self):  # [FLT-1]
         self.client.send_goal(FollowWaypointsGoal(poses=[pose(NEAR), pose((float('nan'), 0.0))]))

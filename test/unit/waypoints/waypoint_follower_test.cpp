@@ -117,6 +117,18 @@ TEST_F(Waypoints, GiveWayToAGoalOfSomebodyElse) {
   EXPECT_EQ(output.text, "aborted: the goal of waypoint 1 of 2 ended: preempted");
 }
 
+// [NAV-5] They may have been drawn on another map than the one on which the robot is to be found.
+TEST_F(Waypoints, EndWithANavigationThatCanDriveNowhere) {
+  follower_.start(3, now_);
+  ASSERT_TRUE(update().send);
+  const WaypointOutput output = ends(LegEnd::Kind::kUnable, "not localised");
+  EXPECT_TRUE(output.ended);
+  EXPECT_EQ(output.outcome, WaypointOutcome::kNavigationUnable);
+  EXPECT_EQ(output.text, "aborted: on the way to waypoint 1 of 3 the navigation could not drive: not localised");
+  EXPECT_TRUE(follower_.missed().empty()) << "the place is not the cause";
+  EXPECT_FALSE(update().send) << "nothing goes on when it can drive again";
+}
+
 // [NAV-5]
 TEST_F(Waypoints, WaitForANavigationThatIsRestartedAndSendTheGoalAgain) {
   follower_.start(2, now_);
