@@ -57,6 +57,7 @@ class Navigator::Impl {
   bool ensurePath(Time now);
   bool replan(Time now);
   bool usePath(planning::PlanResult result, Time now);
+  bool endsAtGoal(const planning::Path& path) const;
   void lookForBetter(Time now);
   void drive(const MotionPredictor::Motion& motion, Time now);
   void turn(const MotionPredictor::Motion& motion, Time now);

@@ -122,7 +122,7 @@ planning::PlanRequest Navigator::Impl::requestTo(const Vec2& place) const {
 
 bool Navigator::Impl::usePath(planning::PlanResult result, Time now) {
   escape_ = result.escape;
-  goal_is_moved_ = (result.path.goal() - goal_->T_map_goal.position()).norm() > params_.goal_tolerance;
+  goal_is_moved_ = !endsAtGoal(result.path);
   follower_.setPath(std::move(result.path));
   watchdog_.newPath(follower_.remaining());
   has_path_ = true;
@@ -132,14 +132,18 @@ bool Navigator::Impl::usePath(planning::PlanResult result, Time now) {
   return true;
 }
 
+bool Navigator::Impl::endsAtGoal(const planning::Path& path) const {
+  return (path.goal() - goal_->T_map_goal.position()).norm() <= params_.goal_tolerance;
+}
+
+/// Better is a way that is much shorter, or that leads to the goal where the present one ends beside it.
 void Navigator::Impl::lookForBetter(Time now) {
   if (toSeconds(now - planned_) < params_.replan_period) return;
   planned_ = now;
   planning::PlanResult result = planner_.plan(clearance_, requestTo(goal_->T_map_goal.position()));
-  const double left = follower_.remaining();
-  if (result.found() && result.path.length() < (1.0 - kWorthwhileShare) * left - kWorthwhile) {
-    usePath(std::move(result), now);
-  }
+  if (!result.found()) return;
+  const bool is_shorter = result.path.length() < (1.0 - kWorthwhileShare) * follower_.remaining() - kWorthwhile;
+  if (is_shorter || (goal_is_moved_ && endsAtGoal(result.path))) usePath(std::move(result), now);
 }
 
 double Navigator::Impl::distanceToGoal() const {

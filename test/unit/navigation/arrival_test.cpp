@@ -81,6 +81,26 @@ TEST(Arrival, ARobotThatIsMovedAwayWhileItTurnsDrivesBackToItsGoal_NAV_1) {
   EXPECT_LT(distanceFromGoal(robot), navigation::NavigatorParams().goal_tolerance + 0.01);
 }
 
+// [NAV-1] Somebody stood there when it was mapped.
+TEST(Arrival, AGoalThatBecomesFreeOnTheWayIsTheOneThatIsReached_NAV_1) {
+  const Vec2 goal(4.0, 1.5);
+  DrivenRobot robot(room(), {1.0, 1.5, 0.0});
+  OccupancyGrid occupied = room();
+  for (int y = 27; y < 33; ++y) {
+    for (int x = 77; x < 83; ++x) occupied[Cell{x, y}] = kOccupied;  // 0.3 m x 0.3 m
+  }
+  robot.navigator().setMap(occupied, occupied.geometry().rect());
+  robot.send(goal);
+  robot.run(1.0);
+  const double tolerance = navigation::NavigatorParams().goal_tolerance;
+  ASSERT_GT((robot.navigator().path().goal() - goal).norm(), tolerance) << "it would end beside the goal";
+  robot.navigator().setMap(room(), occupied.geometry().rect());
+  const auto finished = robot.runUntilFinished(60.0);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->result, NavResult::kSucceeded);
+  EXPECT_LT((robot.pose().position() - goal).norm(), tolerance + 0.01);
+}
+
 // [NAV-1] On a floor where it slips, or with a pose that jumps to and fro.
 TEST(Arrival, ARobotThatIsMovedAwayEachTimeGivesUpAtLast_NAV_1) {
   DrivenRobot robot = turningRobot();
