@@ -21,6 +21,7 @@ struct CollisionCheck::Impl {
   Impl(const CollisionCheckParameters& parameters, const RobotModel& robot)
       : footprint(robot.exactOutline().padded(parameters.footprint.padding)),
         limits(robot.limits),
+        window(parameters.costmap),
         costmap(parameters.costmap, footprint) {}
 
   /// Whether the base cannot have driven to `T_odom_base` since the last scan: odometry has been reset.
@@ -33,6 +34,7 @@ struct CollisionCheck::Impl {
 
   Outline footprint;
   RobotLimits limits;
+  LocalCostmapParameters window;  ///< its least side
   LocalCostmap costmap;
   std::optional<StampedPose2> last;  ///< where the last scan was inserted
 };
@@ -49,6 +51,13 @@ bool CollisionCheck::insert(const LaserScan2& scan, const Pose2& T_odom_base) {
   impl_->costmap.insert(scan, T_odom_base);
   impl_->last = StampedPose2{scan.stamp, T_odom_base};
   return true;
+}
+
+void CollisionCheck::setReach(double reach) {
+  const LocalCostmapParameters& window = impl_->window;
+  // The robot is anywhere in the cell in the middle.
+  const double needed = 2.0 * (reach + impl_->footprint.circumscribedRadius() + window.resolution);
+  impl_->costmap.setSide(std::max(window.side, std::min(needed, LocalCostmapParameters::kMostSide)));
 }
 
 void CollisionCheck::clear() {

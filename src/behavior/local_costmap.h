@@ -22,6 +22,8 @@ class LocalCostmap {
   /// Inserts a scan; `T_odom_base` is the pose at its stamp. Beams clear the cells that they cross, hits occupy theirs,
   /// invalid beams change nothing. Unknown cells under the robot become free, since it stands there.
   void insert(const LaserScan2& scan, const Pose2& T_odom_base);
+  /// Gives the window another side [m], from the next scan on; what lies in it stays known.
+  void setSide(double side) { parameters_.side = side; }
   /// Forgets everything.
   void clear();
 

@@ -25,6 +25,11 @@ PatrolParameters withinLimits(PatrolParameters parameters) {
   return parameters;
 }
 
+double farthestLook(const PatrolParameters& parameters, double age) {
+  const PatrolParameters p = withinLimits(parameters);
+  return p.linear_speed * (age + p.simulate_ahead_time) + brakingDistance(p.linear_speed, p.linear_acc);
+}
+
 void StepDriver::begin(const PatrolStep& step, const Pose2& T_odom_plan, const MotionSample& sample) {
   step_ = step;
   T_step_odom_ = (T_odom_plan * step.start).inverse();

@@ -41,6 +41,9 @@ class CollisionCheck {
   /// scan was inserted: one that does not look ahead is not, because what was free when it was last seen may no longer
   /// be. A pose that the robot cannot have driven to since the last scan clears the costmap first: odometry was reset.
   bool insert(const LaserScan2& scan, const Pose2& T_odom_base);
+  /// Motions are looked along as far as `reach` [m] from where the last scan was measured: from the next scan on, the
+  /// window is as large as that takes, but at most `kMostSide`.
+  void setReach(double reach);
   /// Forgets all scans.
   void clear();
 

@@ -20,12 +20,15 @@ struct FootprintParameters {
 
 /// The rolling costmap around the robot.
 struct LocalCostmapParameters {
+  static constexpr double kMostSide = 20.0;  // [m]
   double side = 3.0;
   double resolution = 0.025;
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("side", side, "m", "side of the square window around the robot", between(0.5, 20.0));
+    v.field("side", side, "m",
+            "side of the square window around the robot; larger where the look ahead at the robot's speed needs it",
+            between(0.5, kMostSide));
     v.field("resolution", resolution, "m", "side of a cell of the costmap", between(0.005, 0.2));
   }
 };
@@ -71,6 +74,8 @@ struct BehaviorParameters {
                "limits/max_linear_acc", "limits/max_angular", "limits/max_angular_acc"});
   }
   void check(Problems& problems) const;
+  /// How far from where the last scan was measured a motion may have to be free [m].
+  double reach() const { return robot.limits.max_linear * (simulate_ahead_time + costmap_timeout); }
 };
 
 }  // namespace frontier_pilot::behavior

@@ -43,6 +43,8 @@ class BehaviorCostmap {
   std::optional<Time> poseStamp() const { return tf_.latestStamp(frames_.odom_frame, frames_.base_frame); }
   /// Pose and look-ahead at `now`, with a costmap at most `max_age` [s] old.
   behavior::BehaviorInputs inputs(double max_age, Time now);
+  /// Makes it as large as motions that end `reach` [m] from where the last scan was measured take.
+  void setReach(double reach) { surroundings_.setReach(reach); }
   /// Clears the costmap, after a jump of the clock.
   void clear();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;

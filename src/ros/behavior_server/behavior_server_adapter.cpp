@@ -24,8 +24,8 @@ BehaviorServerAdapter::BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHan
       diagnostics_(node, private_node),
       connections_(node) {
   around_.subscribe(connections_);
-  tuning_.emplace(parameters_, connections_,
-                  [this](const auto& changed) { behavior_.setParameters(changed.behavior); });
+  take(parameters_);
+  tuning_.emplace(parameters_, connections_, [this](const auto& changed) { take(changed); });
   connections_.followStop(&BehaviorServerAdapter::handleStop, this);
   diagnostics_.add("behaviours", [this](auto& status) { fillDiagnostics(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
@@ -43,6 +43,11 @@ BehaviorServerAdapter::BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHan
     around_.clear();
     put(behavior_.abortByClockJump());
   });
+}
+
+void BehaviorServerAdapter::take(const BehaviorServerParameters& changed) {
+  behavior_.setParameters(changed.behavior);
+  around_.setReach(changed.behavior.reach());
 }
 
 void BehaviorServerAdapter::sayLastWords() {

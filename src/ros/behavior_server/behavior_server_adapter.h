@@ -51,6 +51,7 @@ class BehaviorServerAdapter {
  private:
   template <class Action, class Result, class Feedback>
   void addPort(const char* name);
+  void take(const BehaviorServerParameters& changed);
   void start(BehaviorPort& port, const behavior::BehaviorGoal& goal);
   void cancel(const std::string& why);
   void handleStop(const std_msgs::Bool& msg);

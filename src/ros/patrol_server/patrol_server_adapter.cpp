@@ -22,7 +22,11 @@ PatrolServerAdapter::PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle&
       surroundings_(parameters_.surroundings, parameters_.patrol.robot, tf_),
       connections_(node) {
   subscribe();
-  tuning_.emplace(parameters_, connections_, [this](const auto& changed) { patrol_.setParameters(changed.patrol); });
+  surroundings_.lookAheadFor(parameters_.patrol);
+  tuning_.emplace(parameters_, connections_, [this](const auto& changed) {
+    patrol_.setParameters(changed.patrol);
+    surroundings_.lookAheadFor(changed.patrol);
+  });
   diagnostics_.add("patrol", [this](auto& status) { fillDiagnostics(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   connections_.every(ros::Duration(1.0 / parameters_.patrol.frequency), [this] { tick(); });

@@ -47,6 +47,10 @@ void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {
   placer_.addOdometry(stamp, T_odom_base);
 }
 
+void PatrolSurroundings::lookAheadFor(const patrol::PatrolParameters& parameters) {
+  check_.setReach(patrol::farthestLook(parameters, parameters_.costmap_timeout));
+}
+
 bool PatrolSurroundings::isConnecting() const {
   return parameters_.check_collisions && !heard_ && steadyNow() - subscribed_ < kConnecting;
 }

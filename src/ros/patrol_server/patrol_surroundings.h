@@ -41,6 +41,8 @@ class PatrolSurroundings {
   void subscribe(NodeConnections& connections);
   /// A jump makes it forget what it has seen: the costmap is in the frame of odometry.
   void addOdometry(Time stamp, const Pose2& T_odom_base);
+  /// Makes the costmap as large as the look ahead of a patrol with these parameters takes.
+  void lookAheadFor(const patrol::PatrolParameters& parameters);
   /// The look ahead at `now`, which refers to this object; empty if nobody looks.
   patrol::WayAhead wayAhead(Time now) const;
   /// Whether the node has just begun, so that a scanner may not have been found yet.

@@ -19,5 +19,19 @@ TEST(ChangedLimits, HoldFromTheNextCycleOnAndTheSpinStillEndsWhereItShould) {
   EXPECT_NEAR(loop.base.pose().yaw, 0.0, 0.05);
 }
 
+// [SPN-5]
+TEST(ChangedLimits, ARobotThatMayDriveFasterSeesFartherAndGoesOn) {
+  test::BehaviorLoop loop(10.0, {0.8, 1.0, 2.5, 3.2});
+  loop.start({behavior::BehaviorKind::kDriveOnHeading, 6.0, 0.8, 0.0, true});
+  loop.run(2.0);
+  behavior::BehaviorParameters faster = test::BehaviorLoop::parameters(10.0);
+  faster.robot.limits.max_linear = 0.8;
+  loop.behavior.setParameters(faster);
+  loop.surroundings.setReach(faster.reach());
+  const behavior::BehaviorOutput output = loop.run(30.0);
+  EXPECT_EQ(output.outcome, behavior::BehaviorOutcome::kSucceeded) << output.message;
+  EXPECT_NEAR(loop.base.pose().x, 6.0, 0.05);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "behavior_loop.h"
+#include "support/shipped_robot.h"
 
 namespace frontier_pilot {
 namespace {
@@ -60,6 +61,27 @@ TEST(Straight, NoFasterThanAskedAndThanAllowed) {
   BehaviorLoop fast;
   fast.start(drive(0.5, 9.0));
   for (int i = 0; i < 10; ++i) EXPECT_LE(fast.cycle().command->linear, RobotLimits().max_linear);
+}
+
+// [SPN-5] [ROB-1] It looks 1.3 m ahead, by scans that may be half a second old.
+TEST(Straight, AFastRobotIsNotRefusedWhereItSeesThatTheGroundIsFree_SPN_5_ROB_1) {
+  behavior::BehaviorParameters parameters = BehaviorLoop::parameters(10.0);
+  parameters.robot = test::shippedRobot("turtlebot2");
+  BehaviorLoop loop(10.0, parameters.robot.limits);
+  loop.behavior = behavior::TimedBehavior(parameters);
+  loop.surroundings = behavior::CollisionCheck({}, parameters.robot);
+  loop.surroundings.setReach(parameters.reach());
+  loop.start(drive(8.0, parameters.robot.limits.max_linear));
+  behavior::BehaviorOutput output;
+  double fastest = 0.0;
+  for (int i = 0; i < 300 && loop.behavior.active(); ++i) {
+    loop.scanning = i % 5 == 0;
+    output = loop.cycle();
+    fastest = std::max(fastest, output.command->linear);
+  }
+  expectOutcome(output, behavior::BehaviorOutcome::kSucceeded);
+  EXPECT_NEAR(loop.base.pose().x, 8.0, 0.05);
+  EXPECT_NEAR(fastest, 0.65, 1e-9);
 }
 
 // [SPN-5]

@@ -104,6 +104,24 @@ TEST(PatrolAndObstacles, LooksALittleBeyondTheEndOfTheLegAndNoFarther_PAT_7) {
   EXPECT_NEAR(most_turn, wayUntilItStands(1.0, patrol::PatrolParameters().turn_acc), 1e-9);
 }
 
+// [PAT-7] So far has to be seen.
+TEST(PatrolAndObstacles, LooksNoFartherThanItSaysThatItDoes_PAT_7) {
+  patrol::PatrolParameters parameters;
+  parameters.robot.limits.max_linear = parameters.linear_speed = 0.65;
+  for (const patrol::PatrolOrder& order : {patrol::PatrolOrder{1.0, 4.0, 1.0}, patrol::PatrolOrder{3.0, 2.0, 1.0}}) {
+    test::PatrolLoop loop(parameters);
+    double farthest = 0.0;
+    loop.inputs.way_ahead = [&farthest](const Pose2&, const Twist2& arc) {
+      farthest = std::max(farthest, arc.linear);
+      return std::optional<std::string>();
+    };
+    loop.start(order);
+    loop.run(20.0);
+    EXPECT_NEAR(farthest, patrol::farthestLook(parameters, 0.0), 1e-9);
+  }
+  EXPECT_NEAR(patrol::farthestLook(parameters, 1.0) - patrol::farthestLook(parameters, 0.0), 0.65, 1e-9);
+}
+
 // [PAT-7]
 TEST(PatrolAndObstacles, LooksAlongTheArcOfACircle_PAT_7) {
   test::PatrolLoop loop;
