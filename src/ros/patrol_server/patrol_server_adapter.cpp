@@ -67,11 +67,12 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
     return tick();
   }
   inputs_.odometry_problem.reset();
-  surroundings_.addOdometry(odometry->stamp, odometry->T_odom_base);
   // Stamped with the time of arrival, so that a small offset of the base's clock does not stop the patrol. A message
-  // that comes again is as old as it was; a base that sets no stamps has only the arrival.
-  const bool is_repeat = inputs_.odometry && odometry->stamp == odometry_stamp_ && odometry_stamp_ != Time{};
+  // that comes again is as old as it was; a base that sets no stamps has only the arrival, also for the look ahead.
+  const bool has_stamp = odometry->stamp != Time{};
+  const bool is_repeat = inputs_.odometry && odometry->stamp == odometry_stamp_ && has_stamp;
   const Time arrival = is_repeat ? inputs_.odometry->stamp : rosNow();
+  surroundings_.addOdometry(has_stamp ? odometry->stamp : arrival, odometry->T_odom_base);
   odometry_stamp_ = odometry->stamp;
   inputs_.odometry = MotionSample{arrival, odometry->T_odom_base, odometry->twist};
 }
