@@ -27,6 +27,9 @@ def lookup(master, node):
         return ''
 
 
+ROSLAUNCH = ['bash', '-c', '"$0" "$@"; exit $?  # stands for a roslaunch: a node looks for that word above it']
+
+
 class Respawn(unittest.TestCase):
     def start(self, executable, *arguments):
         node = Node(executable, *arguments)
@@ -160,6 +163,20 @@ class Respawn(unittest.TestCase):
         self.switch('set_exploration_enabled', True)
         self.started_again('frontier_explorer', signal.SIGINT)
         self.assertIn('already: nothing changed', call('set_exploration_enabled', SetBool, False).message, '[FLT-2]')
+
+    # [EXP-8] [FLT-2]
+    def test_an_exploration_of_another_launch_that_was_killed_is_not_taken_up_but_its_pause_is(self):
+        self.addCleanup(rospy.delete_param, 'frontier_explorer/autostart')
+        for on, is_taken_up in [(False, True), (True, False)]:
+            self.node = self.start('frontier_explorer')
+            self.switch('set_exploration_enabled', on)
+            self.node.signal(signal.SIGKILL)
+            self.node.finish()
+            self.node = Node('frontier_explorer', '_autostart:=%s' % (not on), starter=ROSLAUNCH)
+            self.addCleanup(self.node.end)
+            answer = call('set_exploration_enabled', SetBool, on).message
+            self.assertEqual(is_taken_up, 'already: nothing changed' in answer, answer + ' [FLT-2]')
+            self.node.end()
 
     # [FLT-2]
     def test_an_avoider_that_was_switched_on_stays_on(self):

@@ -125,8 +125,8 @@ def use_a_home_of_its_own():
 class Node:
     """A node of the package in a process of its own."""
 
-    def __init__(self, executable, *arguments, package='frontier_pilot', environment=None):
-        self.process = subprocess.Popen([find_node(package, executable), *arguments],
+    def __init__(self, executable, *arguments, package='frontier_pilot', environment=None, starter=()):
+        self.process = subprocess.Popen([*starter, find_node(package, executable), *arguments],
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
                                         preexec_fn=os.setsid, env=environment)
         self._said = ''

@@ -92,14 +92,22 @@ std::optional<ExplorerOrders> ordersIn(const std::string& text) {
   return orders;
 }
 
+ExplorerOrders ofAnotherLaunch(const ExplorerOrders& orders) {
+  ExplorerOrders kept;
+  kept.bounds = orders.bounds;
+  kept.stops = orders.stops;
+  return kept;
+}
+
 ExplorerMemory::ExplorerMemory(NodeConnections& connections)
     : text_("exploration_orders", ros::this_node::getName(), SessionMemory::Owner::kNode, connections) {
   if (text_.left().empty()) return;
-  const std::string& left = text_.left().front();
+  const bool goes_on = !text_.leftByThisLaunch().empty();
+  const std::string& left = goes_on ? text_.leftByThisLaunch().front() : text_.left().front();
   const auto orders = ordersIn(left);
   is_damaged_ = !orders;
-  if (orders) orders_ = *orders;
-  text_.set(left);
+  if (orders) orders_ = goes_on ? *orders : ofAnotherLaunch(*orders);
+  text_.set(is_damaged_ ? left : toText(orders_));
 }
 
 std::string ExplorerMemory::whyStand() const {

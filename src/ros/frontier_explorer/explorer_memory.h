@@ -27,9 +27,13 @@ struct ExplorerOrders {
 std::string toText(const ExplorerOrders& orders);
 std::optional<ExplorerOrders> ordersIn(const std::string& text);
 
+/// What counts of the orders of an earlier launch at the same master: what keeps the robot from driving somewhere.
+ExplorerOrders ofAnotherLaunch(const ExplorerOrders& orders);
+
 /// Keeps the orders beyond the death of the node: the next one must neither leave the bounds nor drive off again, nor
-/// return to another place. At a regular shutdown all is forgotten but the stops: one that is called before the next
-/// one is there counts, too. (That it is paused is a SafeSwitch.) [FLT-2] [EXP-10]
+/// return to another place. Another launch finds what `ofAnotherLaunch` leaves. At a regular shutdown all is forgotten
+/// but the stops: one that is called before the next one is there counts, too. (That it is paused is a SafeSwitch.)
+/// [FLT-2] [EXP-10]
 class ExplorerMemory {
  public:
   explicit ExplorerMemory(NodeConnections& connections);

@@ -77,8 +77,16 @@ bool ProcessIdentity::lives() const { return began != 0 && beginOf(process) == b
 
 bool ProcessIdentity::isReplacedByThisOne() const {
   const ProcessIdentity self = own();
-  const bool same_starter = starter == self.starter && self.starter_began != 0 && starter_began == self.starter_began;
-  return process > 0 && same_starter && boot == self.boot && master == self.master && !lives();
+  return isOfStarterOf(self) && boot == self.boot && master == self.master && !lives();
+}
+
+bool ProcessIdentity::isOfThisLaunch() const {
+  const ProcessIdentity self = own();
+  return process > 0 && boot == self.boot && (isOfStarterOf(self) || !isRoslaunch(self.starter));
+}
+
+bool ProcessIdentity::isOfStarterOf(const ProcessIdentity& other) const {
+  return process > 0 && starter == other.starter && other.starter_began != 0 && starter_began == other.starter_began;
 }
 
 std::ostream& operator<<(std::ostream& stream, const ProcessIdentity& identity) {

@@ -30,6 +30,7 @@ RememberedText::RememberedText(std::string what, const std::string& owner, Sessi
       thread_(sharedThread()) {
   left_ = memory_.recallAll();
   left_elsewhere_ = memory_.recallFromElsewhere();
+  left_by_this_launch_ = memory_.recallOfThisLaunch();
   connections.master().onSession([this](const std::vector<std::string>& sessions) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (memory_.enter(sessions)) problem_.put(store());

@@ -34,6 +34,8 @@ class RememberedText {
   const std::vector<std::string>& left() const { return left_; }
   /// Those of them that are of another session, whose master has been replaced.
   const std::vector<std::string>& leftElsewhere() const { return left_elsewhere_; }
+  /// Those of processes of this launch, of either session.
+  const std::vector<std::string>& leftByThisLaunch() const { return left_by_this_launch_; }
   /// Puts `text` in the place of what was remembered before; nothing forgets it. Returns why it would not survive this
   /// process; empty if it would.
   std::string set(std::optional<std::string> text);
@@ -48,7 +50,7 @@ class RememberedText {
 
   std::string what_;
   MemoryReport& report_;
-  std::vector<std::string> left_, left_elsewhere_;
+  std::vector<std::string> left_, left_elsewhere_, left_by_this_launch_;
   std::mutex mutex_;  ///< guards the three that follow
   SessionMemory memory_;
   std::optional<std::string> text_;

@@ -20,11 +20,11 @@ SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnec
     : state_(std::move(state)),
       memory_(state_, ros::names::resolve(service), SessionMemory::Owner::kService, connections, spareFolder()) {
   // A file that cannot be read counts as safe, and if two files differ the safe side wins. Of a session whose master
-  // has been replaced only the safe side counts.
-  const std::vector<std::string>&left = memory_.left(), &elsewhere = memory_.leftElsewhere();
+  // has been replaced, and of another launch, only the safe side counts.
+  const std::vector<std::string>& left = memory_.left();
   const bool safe =
       std::any_of(left.begin(), left.end(), [this](const std::string& text) { return text != kNot + state_; });
-  if (safe || left.size() > elsewhere.size()) set(safe);
+  if (safe || memory_.leftByThisLaunch().size() > memory_.leftElsewhere().size()) set(safe);
 }
 
 std::optional<bool> SafeSwitch::wasLeftSafe() const {

@@ -9,7 +9,7 @@ namespace frontier_pilot {
 
 /// A switch of a node that has a safe side, on which the robot does less on its own: a disabled source of velocities, a
 /// paused exploration, an enabled avoider. After a node has died, the next node in the same ROS session that offers the
-/// switch's service finds it as the operator left it. After a regular shutdown, and at a new master,
+/// switch's service finds it as the operator left it. After a regular shutdown, in another launch, and at a new master,
 /// only the safe side is remembered: no robot drives off because of a switch that was set during an earlier launch.
 /// [FLT-2]
 class SafeSwitch {

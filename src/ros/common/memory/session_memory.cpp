@@ -8,19 +8,16 @@
 #include <cerrno>
 #include <ctime>
 #include <iterator>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/text.h"
 #include "ros/common/memory/disk.h"
-#include "ros/common/memory/process_identity.h"
+#include "ros/common/memory/memory_file.h"
 
 namespace frontier_pilot {
 namespace {
-
-constexpr std::size_t kLongestText = 262144;  // [bytes], of a file
 
 std::string asFileName(std::string name) {
   std::replace(name.begin(), name.end(), '/', '.');
@@ -45,35 +42,6 @@ const std::time_t g_process_began = std::time(nullptr);
 constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
 constexpr const char* kDigits = "0123456789";
 constexpr const char* kLasting = "lasting_";  // before the names of the files of lasting nodes
-
-/// The process that wrote `file`, from the second line of the file; none if that cannot be read.
-ProcessIdentity writerOf(const fs::path& file) {
-  std::istringstream content(readFile(file, kLongestText).bytes);
-  content.ignore(kLongestText, '\n');
-  ProcessIdentity writer;
-  content >> writer;
-  return writer;
-}
-
-/// When `file` was written [s since 1970]; 0 if it is not there.
-std::time_t timeOf(const fs::path& file) {
-  struct stat status {};
-  return stat(file.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
-}
-
-std::string textIn(const fs::path& file) {
-  // An unreadable file gives an empty text, but it still counts as remembered.
-  const std::string text = readFile(file, kLongestText).bytes;
-  return printable(text.substr(0, text.find('\n')), kLongestText);
-}
-
-/// The texts of these files; those of files that cannot be read are empty and come last.
-std::vector<std::string> textsIn(const std::vector<fs::path>& files) {
-  std::vector<std::string> texts;
-  std::transform(files.begin(), files.end(), std::back_inserter(texts), textIn);
-  std::stable_partition(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
-  return texts;
-}
 
 void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
   files.insert(files.end(), more.begin(), more.end());
@@ -237,15 +205,20 @@ std::vector<std::string> SessionMemory::recallAll() const { return textsIn(findA
 
 std::vector<std::string> SessionMemory::recallFromElsewhere() const { return textsIn(elsewhere_); }
 
+std::vector<std::string> SessionMemory::recallOfThisLaunch() const {
+  std::vector<fs::path> files = findAll();
+  const auto is_of_another = [](const fs::path& file) { return !writerOf(file).isOfThisLaunch(); };
+  files.erase(std::remove_if(files.begin(), files.end(), is_of_another), files.end());
+  return textsIn(files);
+}
+
 std::optional<std::string> SessionMemory::recallOthers() const {
   const auto texts = diskThread().run<std::vector<std::string>>([copy = *this] { return textsIn(copy.others()); });
   return texts && !texts->empty() ? std::make_optional(texts->front()) : std::nullopt;
 }
 
 std::string SessionMemory::remember(const std::string& text) const {
-  std::ostringstream content;
-  content << printable(text, kLongestText / 2) << '\n' << ProcessIdentity::own();
-  const auto write = [bytes = content.str()](const fs::path& file) {
+  const auto write = [bytes = memoryFileWith(text)](const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     // It has to survive the process but not a power failure: after that a new master starts without a stop. And the

@@ -47,6 +47,9 @@ class SessionMemory {
   std::vector<std::string> recallAll() const;
   /// The texts of other sessions, whose writers this process replaces.
   std::vector<std::string> recallFromElsewhere() const;
+  /// Those of recallAll() whose writers were of this launch, see ProcessIdentity::isOfThisLaunch(): after the computer
+  /// was switched off, or in another launch at the same master, there are none.
+  std::vector<std::string> recallOfThisLaunch() const;
   /// The first text that another process, living or dead, has remembered in this session; nothing if there is none.
   std::optional<std::string> recallOthers() const;
   /// The files with the texts that recallAll() returns.
