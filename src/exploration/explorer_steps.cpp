@@ -75,7 +75,7 @@ void Explorer::Impl::finish(Time now) {
   nothing_left_since_.reset();
   if (inspectWhatIsLeft(now)) return;
   done_reason_ = whyNothingIsLeft();
-  setWholeExplored();
+  if (done_reason_ == ExplorerReason::kNoReachableFrontier) setWholeExplored();
   if (done_reason_ == ExplorerReason::kTooManyFrontiers) note(true, toString(*done_reason_));
   if (parameters_.return_to_start) return returnToStart(now);
   enter(ExplorerState::kDone, *done_reason_, "", now);

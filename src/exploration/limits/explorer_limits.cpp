@@ -21,7 +21,8 @@ void Explorer::Impl::countExploring(double driven, Time now) {
 }
 
 StoppingRules::State Explorer::Impl::rulesState() const {
-  return {evaluator_.map().freeArea(), status_.shareExplored(), battery_};
+  const bool estimated = status_.whole && status_.whole->deviation > 0.0;
+  return {evaluator_.map().freeArea(), status_.shareExplored(), estimated, battery_};
 }
 
 /// Lets an exploration go on that a stopping rule has ended; nothing if none has.

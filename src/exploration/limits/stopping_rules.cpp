@@ -38,7 +38,7 @@ std::optional<ExplorerReason> StoppingRules::met(const State& state) const {
   if (until_.time > 0.0 && time() >= until_.time) return ExplorerReason::kUntilTime;
   if (until_.distance > 0.0 && distance_ >= until_.distance) return ExplorerReason::kUntilDistance;
   if (until_.battery > 0.0 && state.battery && *state.battery <= until_.battery) return ExplorerReason::kUntilBattery;
-  const bool share_counts = until_.share > 0.0 && share_counts_;
+  const bool share_counts = until_.share > 0.0 && share_counts_ && state.share_estimated;
   if (share_counts && state.share && *state.share >= until_.share) return ExplorerReason::kUntilShare;
   return std::nullopt;
 }

@@ -22,7 +22,8 @@ class StoppingRules {
   /// What the rules look at besides time and distance.
   struct State {
     double explored_area = 0.0;     ///< [m^2]
-    std::optional<double> share;    ///< explored of the estimated whole; while it is not known, its rule is not met
+    std::optional<double> share;    ///< explored of the whole; while it is not known, its rule is not met
+    bool share_estimated = true;    ///< false: nothing was left to explore, which meets no rule
     std::optional<double> battery;  ///< charge, may be a little above 1; likewise
   };
   /// The rule that is met first in the order area, time, distance, battery, share; nothing if none is.

@@ -43,7 +43,7 @@ void Explorer::Impl::estimateWhole() {
   if (whole) status_.whole = whole;
 }
 
-/// Nothing is left that could be chosen: what is explored is the whole.
+/// Nothing is left that could be reached: what is explored is the whole, of which nothing has to be estimated.
 void Explorer::Impl::setWholeExplored() {
   const double area = evaluator_.map().freeArea();
   if (status_.whole) status_.whole = WholeEstimate{area, 0.0, 0.0, area};

@@ -145,6 +145,45 @@ TEST_F(UntilTheWhole, WiderBoundsAreNotMeasuredByTheEstimateOfTheNarrowOnes_EXP_
   EXPECT_LT(output.status.shareExplored().value_or(0.0), 1.0);
 }
 
+// [EXP-10] [EXP-12]
+TEST_F(UntilTheWhole, APoseToInspectWakesAnExplorationThatHadNothingLeftAndIsDrivenTo_EXP_10_EXP_12) {
+  show(kRoom);
+  tickFor(9.0);
+  change({31, 4, 1, 1}, kFree);
+  tickFor(3.0);
+  change({31, 5, 1, 1}, kFree);
+  ASSERT_TRUE(tickFor(3.0).status.whole);
+  show(kClosedRoom);
+  exploration::ExplorerOutput output = tickFor(10.0);
+  ASSERT_EQ(output.status.reason, Reason::kNoReachableFrontier);
+  ASSERT_EQ(output.status.shareExplored(), 1.0);
+  ASSERT_EQ(explorer.inspect(Pose2(1.1, pose.y, 0.0)), "");
+  output = tickFor(10.0);
+  EXPECT_EQ(output.status.state, State::kNavigating) << output.status.reason_text;
+  EXPECT_EQ(output.status.reason, Reason::kInspecting);
+  goalEnds(exploration::GoalEvent::Kind::kReached);
+  output = tickFor(20.0);
+  EXPECT_EQ(output.status.inspected, 1U);
+  EXPECT_EQ(output.status.reason, Reason::kNoReachableFrontier);
+}
+
+// [EXP-12]
+TEST_F(ExplorerTest, WhenAllThatIsLeftIsBlacklistedTheWholeIsMoreThanWhatIsExplored_EXP_12) {
+  show(kRoom);
+  tickFor(9.0);
+  change({31, 4, 1, 1}, kFree);
+  tickFor(3.0);
+  change({31, 5, 1, 1}, kFree);
+  exploration::ExplorerOutput output = tickFor(3.0);
+  ASSERT_TRUE(output.status.whole);
+  for (int i = 0; i < 40 && output.status.state != State::kDone; ++i) {
+    if (output.status.state == State::kNavigating) goalEnds(exploration::GoalEvent::Kind::kAborted, "blocked");
+    output = tickFor(1.0);
+  }
+  ASSERT_EQ(output.status.reason, Reason::kAllBlacklisted);
+  EXPECT_LT(output.status.shareExplored(), 1.0);
+}
+
 // [EXP-12]
 TEST_F(ExplorerTest, WhenNothingIsLeftTheWholeIsWhatIsExplored_EXP_12) {
   show(kRoom);
