@@ -277,6 +277,22 @@ class ExplorerLimits(ExplorerCase):
         self.assertEqual(1, len(asked))
 
     # [EXP-10]
+    def test_a_map_that_was_not_saved_is_tried_again_under_the_name_of_the_robot(self):
+        asked = []
+        self.explore(until={'time': 0.5}, save_map_at_end='end_of_it.yaml', fleet={'name': 'robot7'})
+        self.assertTrue(self.comes(lambda status: status.map_saved.startswith('not saved: ')), self.status.last)
+        self.assertEqual('end_of_it_robot7', self.status.last.save_map_at_end)
+
+        def save(request):
+            asked.append(request.path)
+            return SaveMapResponse(True, 'written')
+        service = rospy.Service('mapper/save_map', SaveMap, save)
+        self.addCleanup(service.shutdown, 'the test is over')
+        self.assertTrue(self.comes(lambda status: status.map_saved == 'saved: written', 15.0), self.status.last)
+        self.assertEqual(['end_of_it_robot7'], asked)
+        self.assertEqual(1, self.node.said().count('the map at the end was not saved'))
+
+    # [EXP-10]
     def test_says_that_the_map_was_not_saved(self):
         self.explore(until={'time': 0.5}, save_map_at_end='end_of_it')
         self.assertTrue(self.comes(lambda status: status.map_saved.startswith('not saved: ')), self.status.last)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
@@ -77,7 +78,7 @@ void FrontierExplorerAdapter::addLimits(ExplorerStatus& msg) const {
   if (missesBattery()) msg.until += std::string(" (") + kNoBattery + ")";
   msg.battery = battery().value_or(std::numeric_limits<double>::quiet_NaN());
   msg.return_to_start = static_cast<std::uint8_t>(explorer_.returnsToStart());
-  msg.save_map_at_end = parameters_.save_map_at_end;
+  msg.save_map_at_end = map_at_end_;
   msg.map_saved = map_saved_;
 }
 
@@ -130,21 +131,25 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
   navigation_.report(status);
 }
 
-/// Saves the map whenever the exploration has ended, and takes up how that went. [EXP-10]
+/// Saves the map whenever the exploration has ended, and takes up how that went. As long as nothing else is explored it
+/// is tried again, because the mapper may have died and be back soon. [EXP-10]
 void FrontierExplorerAdapter::saveMap(const exploration::ExplorerOutput& output) {
-  const std::string& path = parameters_.save_map_at_end;
-  const auto ended = [](const exploration::ExplorerProgress& p) {
-    return p.state == exploration::ExplorerState::kDone;
-  };
-  if (!path.empty() && std::any_of(output.transitions.begin(), output.transitions.end(), ended)) {
-    map_saved_ = "saving " + path;
-    map_saver_.save(path);
+  constexpr Duration kBetweenAttempts = std::chrono::seconds(5);
+  const auto done = [](const exploration::ExplorerProgress& p) { return p.state == exploration::ExplorerState::kDone; };
+  const bool ended = std::any_of(output.transitions.begin(), output.transitions.end(), done);
+  if (map_at_end_.empty()) return;
+  if (ended) map_saved_ = "saving " + map_at_end_;
+  if (ended || (done(status_) && save_again_ && steadyNow() >= *save_again_)) {
+    save_again_.reset();
+    map_saver_.save(map_at_end_);
   }
   const auto end = map_saver_.take();
   if (!end) return;
   map_lost_ = !end->success;
-  map_saved_ = (map_lost_ ? "not saved: " : "saved: ") + end->message;
-  if (map_lost_) THROTTLED_WARN("the map at the end was " << map_saved_);
+  save_again_ = map_lost_ ? std::make_optional(steadyNow() + kBetweenAttempts) : std::nullopt;
+  const std::string said = std::exchange(map_saved_, (map_lost_ ? "not saved: " : "saved: ") + end->message);
+  if (map_saved_ == said) return;
+  if (map_lost_) THROTTLED_WARN("the map at the end was " << map_saved_ << "; it is tried again");
   if (!map_lost_) THROTTLED_INFO("the map at the end was " << map_saved_);
   last_status_.reset();
 }

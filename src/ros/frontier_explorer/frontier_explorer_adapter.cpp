@@ -20,6 +20,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
       map_saver_(node),
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart),
+      map_at_end_(pathOfRobot(parameters_.save_map_at_end, parameters_.fleet.name)),
       connections_(node) {
   resume();
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });

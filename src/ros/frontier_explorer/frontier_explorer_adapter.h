@@ -121,7 +121,9 @@ class FrontierExplorerAdapter {
   EarlierStops earlier_stops_;
   bool reset_ = false, start_ = false;  ///< asked for since the last tick
   bool map_lost_ = false;               ///< the last map at the end was not saved
+  std::string map_at_end_;              ///< where it is saved; empty: nowhere
   std::string map_saved_;
+  std::optional<SteadyTime> save_again_;  ///< when, after the map was not saved
   bool markers_due_ = false;
   std::optional<Time> odometry_stamp_;
   std::optional<Time> last_status_;

@@ -2,6 +2,9 @@
 
 #include <frontier_pilot/SaveMap.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "ros/common/names.h"
 
 namespace frontier_pilot {
@@ -10,6 +13,16 @@ namespace {
 constexpr const char* kNoAnswer = ": no such service, or it died";
 
 }  // namespace
+
+std::string pathOfRobot(const std::string& path, const std::string& robot) {
+  if (path.empty() || robot.empty()) return path;
+  std::filesystem::path base = path;
+  const std::string extension = base.extension().string();
+  if (extension == ".pgm" || extension == ".yaml" || extension == ".bt") base.replace_extension();  // as save_map does
+  std::string name = robot;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return base.string() + "_" + name;
+}
 
 SaveMapCaller::~SaveMapCaller() {
   const std::lock_guard<std::mutex> lock(mutex_);

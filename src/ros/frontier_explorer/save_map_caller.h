@@ -11,6 +11,10 @@
 
 namespace frontier_pilot {
 
+/// `path` for one robot of several: with its name at the end, or else each one's map would be saved over the others'.
+/// The name is empty for a robot that is alone.
+std::string pathOfRobot(const std::string& path, const std::string& robot);
+
 /// Asks the mapper for a saved map, on a thread of its own: saving takes seconds, and a mapper that hangs never
 /// answers. The destructor ends a call that is waiting. [EXP-10]
 class SaveMapCaller {
