@@ -71,9 +71,9 @@ void Explorer::Impl::setParameters(const ExplorerParameters& parameters) {
 }
 
 void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
-  const bool new_geometry = map.geometry() != evaluator_.map().geometry();
+  const std::uint32_t restarts = evaluator_.map().restarts();
   evaluator_.setMap(map, changed);
-  if (new_geometry) history_.rebase(evaluator_.map());
+  if (evaluator_.map().restarts() != restarts) history_.rebase(evaluator_.map());
 }
 
 ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "exploration/limits/allowed_cells.h"
 #include "frontier_pilot/core/grid.h"
@@ -14,7 +13,7 @@ namespace frontier_pilot::exploration {
 class ObservedMap {
  public:
   /// Takes over the differences within `changed`, or the whole map if the geometry is new. Returns the block that holds
-  /// every cell whose class changed; empty if none did. The counts by place restart with a new geometry.
+  /// every cell whose class changed, with a new geometry all cells; empty if none did.
   CellRect update(const OccupancyGrid& map, const CellRect& changed);
 
   /// Takes effect with an update of the whole map, which is to follow.
@@ -31,23 +30,26 @@ class ObservedMap {
   /// Number of changes of class so far within a square of half side `radius` [m] around `point`, in whole tiles. Only
   /// the difference between two calls is meaningful.
   std::uint64_t changesAround(const Vec2& point, double radius) const;
-  /// Number of changes of class so far, in the whole map.
+  /// How often these counts have begun anew: they go on when the map grows, but not where its cells come to lie between
+  /// the old ones.
+  std::uint32_t restarts() const { return restarts_; }
+  /// Number of changes of class so far, in the whole map, and of its geometry.
   std::uint64_t changes() const { return changes_; }
 
  private:
   static constexpr int kTile = 16;  ///< cells along the side of a tile
 
-  void restart(const GridGeometry& geometry);
+  void moveTo(const GridGeometry& geometry);
   void updateRow(const OccupancyGrid& map, int y, int begin, int end, CellRect& differing);
   void updateCell(Cell c, std::int8_t value, CellRect& differing);
-  std::uint32_t& tile(Cell c) {
-    return tiles_[static_cast<std::size_t>(c.y / kTile) * tiles_per_row_ + static_cast<std::size_t>(c.x / kTile)];
-  }
+  static int withinTile(int cells) { return (cells % kTile + kTile) % kTile; }
+  Cell tileOf(Cell c) const { return {(c.x + corner_.x) / kTile, (c.y + corner_.y) / kTile}; }
 
   OccupancyGrid map_;
   AllowedCells allowed_;
-  std::vector<std::uint32_t> tiles_;  ///< changes of class per tile
-  std::size_t tiles_per_row_ = 0;
+  Grid<std::uint32_t> tiles_;  ///< changes of class per tile
+  Cell corner_;                ///< where in the first tile the map begins: tiles stay where they are when the map grows
+  std::uint32_t restarts_ = 0;
   std::uint64_t free_cells_ = 0;
   std::uint64_t changes_ = 0;
 };

@@ -13,8 +13,14 @@ void Blacklist::add(const Vec2& position, const std::string& reason, const Obser
 }
 
 std::size_t Blacklist::expire(const ObservedMap& map) {
+  const auto changes = [&](const BlacklistedPlace& entry) {
+    return map.changesAround(entry.position, parameters_.change_radius);
+  };
+  for (BlacklistedPlace& entry : entries_) {
+    entry.changes_then = std::min(entry.changes_then, changes(entry));  // fewer where the map has become smaller
+  }
   const auto lifted = std::remove_if(entries_.begin(), entries_.end(), [&](const BlacklistedPlace& entry) {
-    return map.changesAround(entry.position, parameters_.change_radius) >= entry.changes_then + entry.changes_to_lift;
+    return changes(entry) >= entry.changes_then + entry.changes_to_lift;
   });
   const auto count = static_cast<std::size_t>(entries_.end() - lifted);
   entries_.erase(lifted, entries_.end());

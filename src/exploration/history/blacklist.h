@@ -23,7 +23,7 @@ class Blacklist {
   void clear() { entries_.clear(); }
   /// Removes the entries and forgets how often places were listed.
   void reset();
-  /// Compares every entry with the change counts of `map` from now on: they restart when the map's geometry changes.
+  /// Compares every entry with the change counts of `map` from now on: they have restarted.
   void rebase(const ObservedMap& map);
 
   /// The entry that covers `position`, or null.

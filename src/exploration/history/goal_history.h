@@ -40,7 +40,7 @@ class GoalHistory {
 
   /// Lifts the entries of both lists around which enough cells have changed.
   void expire(const ObservedMap& map);
-  /// The map has a new geometry: changes around the entries are counted from now on.
+  /// The map's counts of changes have restarted: those around the entries are counted from now on.
   void rebase(const ObservedMap& map);
   /// Allows blacklisted places to be tried again, once until `allowRetry`: clears the blacklist and the failures, but
   /// remembers how often each place was listed. Returns false if that has been done already.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -64,8 +65,7 @@ void TourStrategy::stayedUnknown() {
 /// A frontier around which the map has changed may be seen from elsewhere again.
 void TourStrategy::expireDistrust() {
   const ObservedMap& map = evaluator_->map();
-  if (map.geometry() != geometry_) distrusted_.rebase(map);
-  geometry_ = map.geometry();
+  if (std::exchange(restarts_, map.restarts()) != map.restarts()) distrusted_.rebase(map);
   distrusted_.expire(map);
 }
 

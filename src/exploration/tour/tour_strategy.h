@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -99,7 +100,7 @@ class TourStrategy : public GoalStrategy {
   int changes_of_mind_ = 0;         ///< goals in a row that were left while they still had something to show
   std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show
   Blacklist distrusted_;            ///< anchors of frontiers that stayed unknown when seen from a viewpoint
-  GridGeometry geometry_;           ///< of the map at the last decision
+  std::uint32_t restarts_ = 0;      ///< of the map's counts of changes at the last decision
 };
 
 }  // namespace frontier_pilot::exploration

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/grids/growing_grid.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -17,12 +19,21 @@ class GoalHistoryTest : public ::testing::Test {
     floor = OccupancyGrid(geometry, kFree);
     map.update(floor, geometry.rect());
   }
-  /// Something stands where there was none: 25 cells around `place`.
-  void changeAround(const Vec2& place) {
+  /// Something stands where there was none, in a square around `place`: 25 cells.
+  void changeAround(const Vec2& place, int margin = 2) { map.update(floor, drawAround(place, margin)); }
+  CellRect drawAround(const Vec2& place, int margin) {
     const Cell cell = floor.geometry().cellAt(place);
-    const CellRect block = CellRect{cell.x, cell.y, 1, 1}.grown(2);
+    const CellRect block = CellRect{cell.x, cell.y, 1, 1}.grown(margin);
     for (int y = block.y; y < block.y + block.height; ++y) std::fill_n(floor.row(y) + block.x, block.width, kOccupied);
-    map.update(floor, block);
+    return block;
+  }
+  /// The map grows by so many cells that nobody has seen, on the left and below.
+  void grow(int cells) {
+    GridGeometry geometry = floor.geometry();
+    geometry.origin -= Vec2(cells, cells) * geometry.resolution;
+    geometry.width += cells;
+    geometry.height += cells;
+    floor = grids::resized(floor, geometry, Cell{cells, cells}, kUnknown);
   }
 
   const Vec2 goal{5.0, 5.0};
@@ -64,6 +75,37 @@ TEST_F(GoalHistoryTest, AnEntryIsLiftedWhenTheMapAroundItChangesAndTheNextOneIsH
   changeAround(goal - Vec2(0.4, 0.0));
   history.expire(map);
   EXPECT_EQ(history.judge(goal), exploration::Rejection::kNone);
+}
+
+// [EXP-5]
+TEST_F(GoalHistoryTest, WhatHasChangedAroundAnEntryCountsAlsoBeyondAChangeOfTheMapsSize_EXP_5) {
+  for (const int cells : {1, 7, 64}) {
+    history.reset();
+    history.timedOut(goal, map);
+    changeAround(goal + Vec2(0.3, 0.0), 1);
+    grow(cells);
+    changeAround(goal - Vec2(0.3, 0.0), 1);
+    history.expire(map);
+    EXPECT_EQ(history.blacklist().size(), 1U) << "18 cells are fewer than 20; the map grew by " << cells;
+    changeAround(goal, 1);
+    history.expire(map);
+    EXPECT_TRUE(history.blacklist().empty()) << "the map grew by " << cells;
+    std::fill(floor.cells().begin(), floor.cells().end(), kFree);
+    map.update(floor, floor.geometry().rect());
+  }
+}
+
+// [EXP-5]
+TEST_F(GoalHistoryTest, WhatChangesTogetherWithTheSizeOfTheMapCountsToo_EXP_5) {
+  history.timedOut(goal, map);
+  grow(5);
+  map.update(floor, floor.geometry().rect());
+  history.expire(map);
+  EXPECT_EQ(history.blacklist().size(), 1U) << "nothing is different there";
+  grow(5);
+  changeAround(goal);
+  history.expire(map);
+  EXPECT_TRUE(history.blacklist().empty());
 }
 
 // [EXP-5]
