@@ -80,7 +80,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   out_ = {};
   heedClock(now);
   const double before = status_.distance_travelled;
-  trackMotion(inputs);
+  trackMotion(inputs, now);
   battery_ = inputs.battery;
   countExploring(status_.distance_travelled - before, now);
   if (!shared_.alone() || !inputs.others.empty()) shared_.setOthers(inputs.others);

@@ -83,7 +83,8 @@ class Explorer::Impl {
   };
   static const std::array<FallBack, 5> kFallBacks;
 
-  void trackMotion(const ExplorerInputs& inputs);
+  void trackMotion(const ExplorerInputs& inputs, Time now);
+  Duration sinceLastTick(Time now) const;
   /// No time has passed where the clock jumped.
   void heedClock(Time now);
   void forgetTime(Time now);

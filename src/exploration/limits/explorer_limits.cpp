@@ -15,9 +15,7 @@ void Explorer::Impl::setBounds(const ExplorationBounds& bounds, const OccupancyG
 /// Counts what has passed since the last tick, if the robot was exploring then. [EXP-10]
 void Explorer::Impl::countExploring(double driven, Time now) {
   const bool explores = status_.state != ExplorerState::kIdle && status_.state != ExplorerState::kDone;
-  if (!explores || !last_update_) return;
-  const Duration passed = now - *last_update_;
-  rules_.count(passed < kLongestTick ? passed : Duration::zero(), driven);
+  if (explores && last_update_) rules_.count(sinceLastTick(now), driven);
 }
 
 StoppingRules::State Explorer::Impl::rulesState() const {

@@ -5,13 +5,21 @@
 
 namespace frontier_pilot::exploration {
 
-void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
-  constexpr double kJump = 1.0;  // [m] between two ticks: larger steps are corrections of the pose, not motion
+/// A step that is larger than the robot can have driven is a correction of the pose, not motion.
+void Explorer::Impl::trackMotion(const ExplorerInputs& inputs, Time now) {
+  constexpr double kJump = 1.0;  // [m] more than that
   if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
   const Pose2& pose = inputs.T_map_base->pose;
   const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
-  if (moved < kJump) status_.distance_travelled += moved;
+  const double driven = parameters_.robot.limits.max_linear * toSeconds(sinceLastTick(now));
+  if (moved < driven + kJump) status_.distance_travelled += moved;
   T_map_base_ = pose;
+}
+
+/// What has passed by the clock, but for its jumps.
+Duration Explorer::Impl::sinceLastTick(Time now) const {
+  const Duration passed = last_update_ ? now - *last_update_ : Duration::zero();
+  return passed > Duration::zero() && passed < kLongestTick ? passed : Duration::zero();
 }
 
 void Explorer::Impl::countFrontiers() {

@@ -269,5 +269,18 @@ TEST_F(ExplorerInputsTest, TheDistanceTravelledIsThatOfThePoseWithoutItsJumps) {
   EXPECT_NEAR(tick().status.distance_travelled, 0.18, 1e-9);
 }
 
+// [EXP-10]
+TEST_F(ExplorerInputsTest, WhatIsDrivenDuringALongDecisionCountsAndACorrectionThenDoesNot_EXP_10) {
+  show(kRoom);
+  tick();
+  const double before = tick().status.distance_travelled;
+  now += std::chrono::seconds(20);
+  pose.x += 3.0;  // a Burger drives 4.4 m in that time
+  EXPECT_NEAR(tick().status.distance_travelled, before + 3.0, 1e-9);
+  now += std::chrono::seconds(10);
+  pose.x += 5.0;
+  EXPECT_NEAR(tick().status.distance_travelled, before + 3.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace frontier_pilot
