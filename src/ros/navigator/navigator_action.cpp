@@ -29,10 +29,18 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
 
 void MoveBaseServer::subscribe(NodeConnections& connections) {
   connections.subscribeToCommands(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
+  connections.subscribe(names::kMapReplaced, 1, &MoveBaseServer::handleReplaced, this);
 }
 
 std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {
   return poseInFrame(msg, map_frame_, tf_, why);
+}
+
+void MoveBaseServer::handleReplaced(const std_msgs::String&) {
+  map_replaced_ = true;
+  if (!pending_) return;
+  settle({pending_->id, navigation::NavResult::kAborted, navigation::NavReason::kMapReplaced});
+  pending_.reset();
 }
 
 std::uint64_t MoveBaseServer::submit(const Pose2& T_map_goal) {
@@ -99,6 +107,7 @@ void MoveBaseServer::cancelForStop() {
 void MoveBaseServer::fill(navigation::NavigatorInputs& inputs) {
   if (stopped_since_ && steadyNow() - *stopped_since_ > kTimeToCancel) cancelForStop();
   inputs.cancel = std::exchange(cancel_, false);
+  inputs.map_replaced = std::exchange(map_replaced_, false);
   inputs.new_goal = std::exchange(pending_, std::nullopt);
   if (!inputs.new_goal) return;
   active_id_ = inputs.new_goal->id;

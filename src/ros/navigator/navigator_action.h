@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
+#include <std_msgs/String.h>
 
 #include <cstdint>
 #include <map>
@@ -24,13 +25,13 @@ class MoveBaseServer {
   MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
 
   /// Subscribes to `move_base_simple/goal`, which rviz publishes. As in move_base, its goals become goals of the
-  /// action.
+  /// action. And to `mapper/replaced`: no goal outlives the map that it was meant for. [MAP-5]
   void subscribe(NodeConnections& connections);
   /// Whether the emergency stop is latched. No goal outlives it, and none that comes meanwhile: nobody expects that the
   /// robot drives after the clear. [ARB-8]
   void setStopped(bool stopped);
   bool isStopped() const { return stopped_since_.has_value(); }
-  /// Moves a new goal and a cancel since the last call into `inputs`.
+  /// Moves what has come since the last call into `inputs`: a new goal, a cancel, and that the map was replaced.
   void fill(navigation::NavigatorInputs& inputs);
   /// Sends the result of a goal to its client.
   void settle(const navigation::NavFinished& finished);
@@ -53,6 +54,7 @@ class MoveBaseServer {
   /// Cancels every goal, as a client would.
   void cancelAll();
   void cancelForStop();
+  void handleReplaced(const std_msgs::String& why);
   void handleSimple(const geometry_msgs::PoseStamped& msg);
   /// The goal in the map's frame; nothing if it is malformed or its frame is not in TF, with the reason in `why`.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
@@ -67,7 +69,7 @@ class MoveBaseServer {
   std::optional<Pose2> goal_;
   ros::Publisher simple_goals_;  ///< of the action itself: they are seen and cancelled like all others
   ros::Publisher current_goal_;
-  bool cancel_ = false;
+  bool cancel_ = false, map_replaced_ = false;
   std::optional<SteadyTime> stopped_since_;
   Rejections bad_simple_goals_{"goal of move_base_simple"};
   std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< by id

@@ -1,7 +1,6 @@
 #include "ros/navigator/navigator_adapter.h"
 
 #include <geometry_msgs/Twist.h>
-#include <std_msgs/String.h>
 
 #include <cmath>
 #include <utility>
@@ -33,7 +32,6 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
   localization_.subscribe(connections_);
-  connections_.subscribe<std_msgs::String>(names::kMapReplaced, 1, [this](const auto&) { map_replaced_ = true; });
   followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
   connections_.followStop(&NavigatorAdapter::handleStop, this);
   tuning_.emplace(parameters_, connections_, [this](const auto& changed) { take(changed); });
@@ -101,7 +99,6 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   inputs.map_alive = map_.published() || !parameters_.map_must_live;
   inputs.localized = localization_.isLocalizedAt(inputs.pose);
   inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
-  inputs.map_replaced = std::exchange(map_replaced_, false);
   server_.fill(inputs);
   const bool knows_where =
       inputs.localized && inputs.pose && std::abs(toSeconds(now - inputs.pose->stamp)) <= parameters_.max_age;

@@ -90,8 +90,7 @@ class NavigatorAdapter {
   std::optional<LaserScan2> scan_;
   Latest<Twist2> twist_;
   navigation::NavState state_ = navigation::NavState::kIdle;
-  bool map_replaced_ = false;  ///< since the last cycle
-  std::string failure_;        ///< why the last goal that ended was aborted; empty if it was not
+  std::string failure_;  ///< why the last goal that ended was aborted; empty if it was not
   ros::Publisher command_;
   std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;

@@ -92,19 +92,6 @@ TEST(Navigator, StandsAtOnceWhenCanceled_NAV_1) {
   EXPECT_EQ(robot.speed(), 0.0);
 }
 
-TEST(Navigator, EndsAGoalThatWasMeantForAnotherMap_NAV_1) {
-  DrivenRobot robot(twoRooms(14), kLeft);
-  robot.send(kRight);
-  robot.run(5.0);
-  robot.replaceMap();
-  const navigation::NavigatorOutput& output = robot.tick();
-  EXPECT_EQ(output.command, Twist2{});
-  ASSERT_EQ(output.finished.size(), 1U);
-  expectFinished(output.finished[0], navigation::NavResult::kAborted, navigation::NavReason::kMapReplaced);
-  robot.run(0.5);
-  EXPECT_EQ(robot.speed(), 0.0);
-}
-
 TEST(Navigator, SaysWhyItAborts_NAV_1) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const struct {

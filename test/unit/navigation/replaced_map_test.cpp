@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include "frontier_pilot/navigation/navigator.h"
+#include "support/floors/driven_robot.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::DrivenRobot;
+
+/// A room of 6 m x 3 m.
+OccupancyGrid openRoom() {
+  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 124, 64}, kOccupied);
+  for (int y = 2; y < 62; ++y) {
+    for (int x = 2; x < 122; ++x) map[Cell{x, y}] = kFree;
+  }
+  return map;
+}
+
+// [NAV-1] [MAP-5]
+TEST(ReplacedMap, EndsTheGoalThatWasMeantForTheMapOfBefore_NAV_1_MAP_5) {
+  DrivenRobot robot(openRoom(), {1.0, 1.5, 0.0});
+  robot.send({5.0, 1.0});
+  robot.run(5.0);
+  robot.replaceMap();
+  const navigation::NavigatorOutput& output = robot.tick();
+  EXPECT_EQ(output.command, Twist2{});
+  ASSERT_EQ(output.finished.size(), 1U);
+  EXPECT_EQ(output.finished[0].result, navigation::NavResult::kAborted);
+  EXPECT_STREQ(toString(output.finished[0].reason), "the map was replaced");
+  robot.run(0.5);
+  EXPECT_EQ(robot.speed(), 0.0);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
