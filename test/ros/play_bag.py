@@ -132,7 +132,7 @@ class PlayBag(unittest.TestCase):
 
     def test_plays_to_the_end_and_saves_the_map(self):
         self.assertEqual(0, self.exit_code, self.player.said())
-        self.expect_said('end of the bag', 'saved ' + self.saved)
+        self.expect_said('end of the bag', 'Map saved: ' + self.saved)
         for extension in ('.pgm', '.yaml', '.bt'):
             self.assertTrue(os.path.exists(self.saved + extension))
 
