@@ -26,22 +26,22 @@ PATIENCE = 4.0  # for the answer of the master [s]
 ADVICE = 'end it first%s, or choose another port for this run: export ROS_MASTER_URI=http://127.0.0.1:PORT'
 
 
-def reasons_at(uri):
-    """What the master at this address lists that a robot or a simulation has: who does what; none if there is no master."""
+def reason_at(uri):
+    """What the master at this address lists that a robot or a simulation has, as (node, what it does, topic); none if there is no
+    master."""
     try:
         master = xmlrpc.client.ServerProxy(uri)
         published, subscribed = master.getSystemState('/running_system')[2][:2]
-        published = [(str(topic), str(nodes[0])) for topic, nodes in published if nodes]
-        listening = [(str(topic), str(node)) for topic, nodes in subscribed for node in nodes]
+        published = [(str(nodes[0]), 'publishes', str(topic)) for topic, nodes in published if nodes]
+        heard = [(str(node), 'listens to', str(topic)) for topic, nodes in subscribed for node in nodes]
     except Exception:  # what the library throws depends on what answers there
-        return []  # roslaunch starts a master, or says what is wrong with the address
-    reasons = [('%s publishes %s', node, topic) for topic, node in published if last_word(topic) in TELLING] + [
-        ('%s listens to %s', node, topic) for topic, node in listening
-        if last_word(topic) == COMMANDS and not node.startswith(ONLOOKERS)]
-    if reasons or not published:
-        return reasons
-    types = types_at(master)
-    return [('%s publishes %s', node, topic) for topic, node in published if types.get(topic) in TELLING_TYPES]
+        return None  # roslaunch starts a master, or says what is wrong with the address
+    told_by_name = [one for one in published if last_word(one[2]) in TELLING] + [
+        one for one in heard if last_word(one[2]) == COMMANDS and not one[0].startswith(ONLOOKERS)]
+    if told_by_name:
+        return told_by_name[0]
+    types = types_at(master) if published else {}
+    return next((one for one in published if types.get(one[2]) in TELLING_TYPES), None)
 
 
 def types_at(master):
@@ -68,13 +68,14 @@ def within(seconds, work):
 
 def problem_at(uri):
     """Why nothing must be launched at this master; empty: nothing speaks against it."""
-    reasons = within(PATIENCE, lambda: reasons_at(uri))
-    if reasons is None:
+    answer = within(PATIENCE, lambda: [reason_at(uri)])
+    if answer is None:
         return 'what listens at %s does not answer as a ROS master within %.0f s: ' % (uri, PATIENCE) + ADVICE % ''
-    for said, node, topic in reasons[:1]:
-        return (said + ' at the ROS master %s, where a robot or a simulation already runs: ') % (
-            printable(node, 100), printable(topic, 100), uri) + ADVICE % ' (rosnode cleanup, if it has died)'
-    return ''
+    if answer[0] is None:
+        return ''
+    node, does, topic = answer[0]
+    return '%s %s %s at the ROS master %s, where a robot or a simulation already runs: ' % (
+        printable(node, 100), does, printable(topic, 100), uri) + ADVICE % ' (rosnode cleanup, if it has died)'
 
 
 def main():

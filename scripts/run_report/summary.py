@@ -7,8 +7,8 @@ from .intervals import merged, total
 from .progress import DONE, NAVIGATING
 from .warnings import Warnings
 
-# What a page cannot tell of a record that lacks a topic.
 MOST_STOPS = 20  # that are listed one by one
+# What a page cannot tell of a record that lacks a topic.
 NOT_RECORDED = (('cmd_vel_arbiter/status', 'Nothing of the arbiter was recorded: whether the robot was stopped, and who drove it, is not known.'),
                 ('/diagnostics', 'No diagnostics were recorded: whether a node found something wrong is not known.'))
 

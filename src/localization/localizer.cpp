@@ -22,16 +22,6 @@ slam::ScanTrackerParameters withoutEnd(slam::ScanTrackerParameters parameters) {
   return parameters;
 }
 
-/// Whether the robot is where a scan fits. A few other walls, such as those of a corridor, may explain half of the scan
-/// at the wrong place; but there others of its beams pass through walls of the map, or end where it has none.
-bool isBelievable(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
-                  const scan_matching::SurfaceMap& map, const slam::ScanTrackerParameters& parameters) {
-  constexpr double kSure = 0.8;                // share of the points on walls: then what has been moved does not matter
-  constexpr double kMostContradictions = 0.1;  // greatest share of beams that are inconsistent with the map
-  if (refined.inliers < parameters.min_inliers) return false;
-  return refined.inliers >= kSure || scan_matching::inconsistentShare(map, points, refined.pose) <= kMostContradictions;
-}
-
 double reachOf(double variance) { return std::clamp(kSigmas * std::sqrt(variance), kLeastReach, kMostReach); }
 
 scan_matching::SearchRequest requestFor(const scan_matching::PoseWithCovariance& belief, double min_score) {
@@ -92,7 +82,8 @@ slam::MatchVerdict Localizer::find(const surfaces::SurfacePoints& points, const 
   const scan_matching::PoseWithCovariance prior{belief.pose, sigma.cwiseAbs2().asDiagonal()};
   const scan_matching::Refinement refined =
       scan_matching::refine(map_, points, found->pose, prior, parameters_.tracker.refinement);
-  if (!isBelievable(refined, points, map_, parameters_.tracker)) return slam::MatchVerdict::kPoor;
+  if (refined.inliers < parameters_.tracker.min_inliers || !scan_matching::explains(map_, points, refined))
+    return slam::MatchVerdict::kPoor;
   tracker_.reset(refined.pose * T_odom_base.inverse());
   sought_.reset();
   wide_pyramid_.reset();

@@ -4,22 +4,28 @@
 
 namespace frontier_pilot::navigation {
 
-bool ObstacleLayer::update(const ScanView& view, const ScanPoints& points, planning::ClearanceMap& map, Time now) {
-  bool changed = false;
+template <class Goes>
+bool ObstacleLayer::removeIf(planning::ClearanceMap& map, const Goes& goes) {
+  const std::size_t before = seen_.size();
   for (auto it = seen_.begin(); it != seen_.end();) {
     const Cell cell = map.geometry().cell(it->first);
-    const Vec2 place = map.geometry().centre(cell);
-    const bool old = toSeconds(now - it->second) > params_.memory && kept_.count(it->first) == 0;
-    if (old || isMakingWay(place) || view.seesThrough(place, params_.seen_through)) {
-      map.setLive(cell, false);
-      kept_.erase(it->first);
-      it = seen_.erase(it);
-      changed = true;
-    } else {
+    if (!goes(*it, map.geometry().centre(cell))) {
       ++it;
+      continue;
     }
+    map.setLive(cell, false);
+    kept_.erase(it->first);
+    it = seen_.erase(it);
   }
-  return mark(points, view.scanner(), map, now) || changed;
+  return seen_.size() < before;
+}
+
+bool ObstacleLayer::update(const ScanView& view, const ScanPoints& points, planning::ClearanceMap& map, Time now) {
+  const bool removed = removeIf(map, [&](const Mark& mark, const Vec2& place) {
+    const bool old = toSeconds(now - mark.second) > params_.memory && kept_.count(mark.first) == 0;
+    return old || isMakingWay(place) || view.seesThrough(place, params_.seen_through);
+  });
+  return mark(points, view.scanner(), map, now) || removed;
 }
 
 bool ObstacleLayer::mark(const ScanPoints& points, const Vec2& robot, planning::ClearanceMap& map, Time now) {
@@ -54,19 +60,7 @@ bool ObstacleLayer::isMakingWay(const Vec2& point) const {
 }
 
 bool ObstacleLayer::clearInView(const ScanView& view, planning::ClearanceMap& map) {
-  bool any = false;
-  for (auto it = seen_.begin(); it != seen_.end();) {
-    const Cell cell = map.geometry().cell(it->first);
-    if (view.looksAt(map.geometry().centre(cell))) {
-      map.setLive(cell, false);
-      kept_.erase(it->first);
-      it = seen_.erase(it);
-      any = true;
-    } else {
-      ++it;
-    }
-  }
-  return any;
+  return removeIf(map, [&](const Mark&, const Vec2& place) { return view.looksAt(place); });
 }
 
 bool ObstacleLayer::clear(planning::ClearanceMap& map) {

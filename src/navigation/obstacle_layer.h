@@ -40,13 +40,19 @@ class ObstacleLayer {
   std::size_t size() const { return seen_.size(); }
 
  private:
+  using Mark = std::pair<const std::size_t, Time>;  ///< index of the cell and when it was last hit
+
+  /// Removes the marks for which `goes(mark, place)` is true, with the place [m] in the map frame. Returns whether
+  /// there were any.
+  template <class Goes>
+  bool removeIf(planning::ClearanceMap& map, const Goes& goes);
   bool mark(const ScanPoints& points, const Vec2& robot, planning::ClearanceMap& map, Time now);
   bool isMakingWay(const Vec2& point) const;
 
   ObstacleLayerParams params_;
   std::vector<Disc> making_way_;
   std::set<std::size_t> kept_;        ///< indices of cells whose marks do not age
-  std::map<std::size_t, Time> seen_;  ///< index of the cell and when it was last hit
+  std::map<std::size_t, Time> seen_;  ///< all marks
 };
 
 }  // namespace frontier_pilot::navigation

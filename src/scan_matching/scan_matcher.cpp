@@ -107,4 +107,14 @@ double inconsistentShare(const SurfaceMap& map, const surfaces::SurfacePoints& p
   return static_cast<double>(count) / static_cast<double>(points.size());
 }
 
+bool isConsistent(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& T_map_base) {
+  constexpr double kMostContradictions = 0.1;
+  return inconsistentShare(map, points, T_map_base) <= kMostContradictions;
+}
+
+bool explains(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Refinement& refined) {
+  constexpr double kSure = 0.8;  // then what has been moved since the map was made does not matter
+  return refined.inliers >= kSure || isConsistent(map, points, refined.pose);
+}
+
 }  // namespace frontier_pilot::scan_matching

@@ -37,5 +37,11 @@ Refinement refine(const SurfaceMap& map, const surfaces::SurfacePoints& points, 
 /// pass through a known surface, or end in front of one where no surface is known. A scan of a new place matches few
 /// known surfaces and yet is consistent with them; a scan of another place is not.
 double inconsistentShare(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
+/// Whether that share is small enough for a scan of this place, or of a new one beside it.
+bool isConsistent(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
+/// Whether `refined` is the true pose of a scan that may have been taken far from where it was expected: nearly all of
+/// its points lie on surfaces, or it is consistent with the map. Half of the points lie on surfaces by chance, such as
+/// those of another part of the same corridor.
+bool explains(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Refinement& refined);
 
 }  // namespace frontier_pilot::scan_matching

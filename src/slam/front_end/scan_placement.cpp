@@ -14,15 +14,14 @@ constexpr double kPenalty = 0.0035;  ///< loss of score at a deviation of one st
 constexpr double kLimit = 3.0;       ///< half width of the search, in standard deviations of odometry
 // Points on new ground lower the score of the true pose. So in a corridor, after a while without scans, poses farther
 // back score better, and the penalty must grow up to this limit to keep the pose where odometry says.
-constexpr double kPenaltyLimit = 6.0;        ///< standard deviations, beyond which the penalty does not grow
-constexpr double kContradiction = 16.0;      ///< squared Mahalanobis distance: exceeded by chance once in a thousand
-constexpr double kEvidence = 30.0;           ///< least number of points on surfaces if most of the scan is on none
-constexpr double kMostContradictions = 0.1;  ///< greatest share of beams that are inconsistent with the map
-constexpr double kRival = 0.95;              ///< a second peak with this share of the score makes a match ambiguous
-constexpr double kRidge = 0.9;               ///< least share of the peak's score halfway between two poses of one ridge
-constexpr double kRivalDistance = 4;         ///< poses nearer than this to a peak belong to it [cells]
-constexpr double kRivalAngle = 0.1;          ///< [rad]
-constexpr double kSlide = 0.01;              ///< greatest ratio of the information along a corridor to that across it
+constexpr double kPenaltyLimit = 6.0;    ///< standard deviations, beyond which the penalty does not grow
+constexpr double kContradiction = 16.0;  ///< squared Mahalanobis distance: exceeded by chance once in a thousand
+constexpr double kEvidence = 30.0;       ///< least number of points on surfaces if most of the scan is on none
+constexpr double kRival = 0.95;          ///< a second peak with this share of the score makes a match ambiguous
+constexpr double kRidge = 0.9;           ///< least share of the peak's score halfway between two poses of one ridge
+constexpr double kRivalDistance = 4;     ///< poses nearer than this to a peak belong to it [cells]
+constexpr double kRivalAngle = 0.1;      ///< [rad]
+constexpr double kSlide = 0.01;          ///< greatest ratio of the information along a corridor to that across it
 
 /// Whether two estimates contradict each other.
 bool contradict(const scan_matching::PoseWithCovariance& a, const scan_matching::PoseWithCovariance& b) {
@@ -82,7 +81,7 @@ bool ScanPlacement::isBeyondTheMap(const surfaces::SurfacePoints& points, const 
                                    const Prediction& prediction, const Track& match) const {
   if (match.verdict == MatchVerdict::kTooFew) return prediction.open;
   if (match.verdict != MatchVerdict::kPoor || !prediction.carried) return false;
-  return scan_matching::inconsistentShare(target.map, points, prediction.T_map_base) <= kMostContradictions;
+  return scan_matching::isConsistent(target.map, points, prediction.T_map_base);
 }
 
 Track ScanPlacement::match(const surfaces::SurfacePoints& points, const MatchTarget& target,
@@ -150,16 +149,13 @@ bool ScanPlacement::fits(const scan_matching::Refinement& refined, const surface
   // A few points may lie on a surface by chance, as those of a hand in front of the scanner.
   const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
   return evident && refined.inliers >= parameters_.new_inliers &&
-         scan_matching::inconsistentShare(map, points, refined.pose) <= kMostContradictions;
+         scan_matching::isConsistent(map, points, refined.pose);
 }
 
 bool ScanPlacement::overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
                                       const MatchTarget& target, const Prediction& prediction) const {
-  // A long time without a match makes the window wide, and half of the points may lie on surfaces by chance then.
-  constexpr double kWide = 0.75;  // [m]
-  constexpr double kSure = 0.8;
-  return prediction.unseen.position < kWide || refined.inliers >= kSure ||
-         scan_matching::inconsistentShare(target.map, points, refined.pose) <= kMostContradictions;
+  constexpr double kWide = 0.75;  // [m]: so wide is the window only after a long time without a match
+  return prediction.unseen.position < kWide || scan_matching::explains(target.map, points, refined);
 }
 
 scan_matching::SearchRequest ScanPlacement::request(const Prediction& prediction, double resolution) const {

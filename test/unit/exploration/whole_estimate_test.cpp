@@ -62,9 +62,23 @@ exploration::ExplorerParameters endingAtShare(double share) {
   return parameters;
 }
 
-class UntilShare : public ExplorerTest {
+class EstimatedWhole : public ExplorerTest {
  protected:
-  UntilShare() : ExplorerTest(endingAtShare(0.05)) {}
+  using ExplorerTest::ExplorerTest;
+  /// Explores the room until it has something to estimate the whole by.
+  exploration::ExplorerOutput exploreTheRoom() {
+    show(kRoom);
+    tickFor(9.0);
+    change({31, 4, 1, 1}, kFree);  // so that it decides again
+    tickFor(3.0);
+    change({31, 5, 1, 1}, kFree);
+    return tickFor(3.0);
+  }
+};
+
+class UntilShare : public EstimatedWhole {
+ protected:
+  UntilShare() : EstimatedWhole(endingAtShare(0.05)) {}
 };
 
 // [EXP-10] [EXP-12]
@@ -88,12 +102,7 @@ TEST_F(UntilShare, EndsAsSoonAsTheEstimateSaysSoAndGoesOnWhenStartedAgain_EXP_10
 
 // [EXP-10]
 TEST_F(UntilShare, AResetLetsItGoOnForLongerThanTheEstimateTakes_EXP_10) {
-  show(kRoom);
-  tickFor(9.0);
-  change({31, 4, 1, 1}, kFree);
-  tickFor(3.0);
-  change({31, 5, 1, 1}, kFree);
-  ASSERT_EQ(tickFor(3.0).status.reason, Reason::kUntilShare);
+  ASSERT_EQ(exploreTheRoom().status.reason, Reason::kUntilShare);
   inputs.reset = true;
   tickFor(11.0);
   change({31, 6, 1, 1}, kFree);
@@ -120,9 +129,9 @@ TEST_F(ExplorerTest, TheTimeLeftIsUnknownUntilSomethingHasBeenExploredSinceTheRe
   EXPECT_GT(output.status.whole->time_left, 0.0);
 }
 
-class UntilTheWhole : public ExplorerTest {
+class UntilTheWhole : public EstimatedWhole {
  protected:
-  UntilTheWhole() : ExplorerTest(endingAtShare(1.0)) {}
+  UntilTheWhole() : EstimatedWhole(endingAtShare(1.0)) {}
 };
 
 // [EXP-10] [EXP-12]
@@ -147,12 +156,7 @@ TEST_F(UntilTheWhole, WiderBoundsAreNotMeasuredByTheEstimateOfTheNarrowOnes_EXP_
 
 // [EXP-10] [EXP-12]
 TEST_F(UntilTheWhole, APoseToInspectWakesAnExplorationThatHadNothingLeftAndIsDrivenTo_EXP_10_EXP_12) {
-  show(kRoom);
-  tickFor(9.0);
-  change({31, 4, 1, 1}, kFree);
-  tickFor(3.0);
-  change({31, 5, 1, 1}, kFree);
-  ASSERT_TRUE(tickFor(3.0).status.whole);
+  ASSERT_TRUE(exploreTheRoom().status.whole);
   show(kClosedRoom);
   exploration::ExplorerOutput output = tickFor(10.0);
   ASSERT_EQ(output.status.reason, Reason::kNoReachableFrontier);
@@ -168,13 +172,8 @@ TEST_F(UntilTheWhole, APoseToInspectWakesAnExplorationThatHadNothingLeftAndIsDri
 }
 
 // [EXP-12]
-TEST_F(ExplorerTest, WhenAllThatIsLeftIsBlacklistedTheWholeIsMoreThanWhatIsExplored_EXP_12) {
-  show(kRoom);
-  tickFor(9.0);
-  change({31, 4, 1, 1}, kFree);
-  tickFor(3.0);
-  change({31, 5, 1, 1}, kFree);
-  exploration::ExplorerOutput output = tickFor(3.0);
+TEST_F(EstimatedWhole, WhenAllThatIsLeftIsBlacklistedTheWholeIsMoreThanWhatIsExplored_EXP_12) {
+  exploration::ExplorerOutput output = exploreTheRoom();
   ASSERT_TRUE(output.status.whole);
   for (int i = 0; i < 40 && output.status.state != State::kDone; ++i) {
     if (output.status.state == State::kNavigating) goalEnds(exploration::GoalEvent::Kind::kAborted, "blocked");
@@ -185,13 +184,8 @@ TEST_F(ExplorerTest, WhenAllThatIsLeftIsBlacklistedTheWholeIsMoreThanWhatIsExplo
 }
 
 // [EXP-12]
-TEST_F(ExplorerTest, WhenNothingIsLeftTheWholeIsWhatIsExplored_EXP_12) {
-  show(kRoom);
-  tickFor(9.0);
-  change({31, 4, 1, 1}, kFree);
-  tickFor(3.0);
-  change({31, 5, 1, 1}, kFree);
-  ASSERT_TRUE(tickFor(3.0).status.whole);
+TEST_F(EstimatedWhole, WhenNothingIsLeftTheWholeIsWhatIsExplored_EXP_12) {
+  ASSERT_TRUE(exploreTheRoom().status.whole);
   show(kClosedRoom);
   const exploration::ExplorerOutput output = tickFor(10.0);
   ASSERT_EQ(output.status.state, State::kDone);

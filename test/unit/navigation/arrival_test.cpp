@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "support/floors/driven_robot.h"
+#include "support/floors/room.h"
 #include "support/floors/zigzag.h"
 #include "support/shipped_robot.h"
 
@@ -16,15 +17,7 @@ using navigation::NavReason;
 using navigation::NavResult;
 using navigation::NavState;
 using test::DrivenRobot;
-
-/// A room of 6 m x 3 m.
-OccupancyGrid room() {
-  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 124, 64}, kOccupied);
-  for (int y = 2; y < 62; ++y) {
-    for (int x = 2; x < 122; ++x) map[Cell{x, y}] = kFree;
-  }
-  return map;
-}
+using test::room;
 
 const Pose2 kGoal(2.0, 1.5, 3.0);
 

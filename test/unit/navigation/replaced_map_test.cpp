@@ -2,24 +2,17 @@
 
 #include "frontier_pilot/navigation/navigator.h"
 #include "support/floors/driven_robot.h"
+#include "support/floors/room.h"
 
 namespace frontier_pilot {
 namespace {
 
 using test::DrivenRobot;
-
-/// A room of 6 m x 3 m.
-OccupancyGrid openRoom() {
-  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 124, 64}, kOccupied);
-  for (int y = 2; y < 62; ++y) {
-    for (int x = 2; x < 122; ++x) map[Cell{x, y}] = kFree;
-  }
-  return map;
-}
+using test::room;
 
 // [NAV-1] [MAP-5]
 TEST(ReplacedMap, EndsTheGoalThatWasMeantForTheMapOfBefore_NAV_1_MAP_5) {
-  DrivenRobot robot(openRoom(), {1.0, 1.5, 0.0});
+  DrivenRobot robot(room(), {1.0, 1.5, 0.0});
   robot.send({5.0, 1.0});
   robot.run(5.0);
   robot.replaceMap();

@@ -5,21 +5,14 @@
 #include <optional>
 
 #include "support/floors/driven_robot.h"
+#include "support/floors/room.h"
 #include "support/shipped_robot.h"
 
 namespace frontier_pilot {
 namespace {
 
 using test::DrivenRobot;
-
-/// A room of 6 m x 3 m.
-OccupancyGrid room() {
-  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 124, 64}, kOccupied);
-  for (int y = 2; y < 62; ++y) {
-    for (int x = 2; x < 122; ++x) map[Cell{x, y}] = kFree;
-  }
-  return map;
-}
+using test::room;
 
 /// The room with a wall in column `x`.
 void drawWall(OccupancyGrid& map, int x) {

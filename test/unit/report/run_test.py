@@ -62,7 +62,7 @@ class WhatSomebodyElsePublished(unittest.TestCase):
         self.assertEqual((load.rows(), load.wall), ([], []))
 
 
-class WhatTheSummarySays(FolderCase):
+class SyntheticRun(FolderCase):
     def read(self, **options):
         path = self.path('run_0.bag')
         synthetic_bag.write(path, **options)
@@ -71,6 +71,8 @@ class WhatTheSummarySays(FolderCase):
             run.read(bags)
         return run
 
+
+class WhatTheSummarySays(SyntheticRun):
     def test_a_robot_is_not_simulated_because_a_simulation_has_left_its_parameters_at_the_master(self):
         self.assertIn('simulated', summary.subject(self.read()))
         self.assertNotIn('simulated', summary.subject(self.read(use_sim_time=False)))
@@ -90,15 +92,7 @@ class WhatTheSummarySays(FolderCase):
         self.assertTrue([text for text in looked_at if 'touched something' in text])
 
 
-class Reading(FolderCase):
-    def read(self, **options):
-        path = self.path('run_0.bag')
-        synthetic_bag.write(path, **options)
-        run = Run()
-        with BagFiles([path]) as bags:
-            run.read(bags)
-        return run
-
+class Reading(SyntheticRun):
     def setUp(self):
         super().setUp()
         self.run_read = self.read()
