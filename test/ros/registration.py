@@ -319,7 +319,7 @@ class Registration(unittest.TestCase):
 
     # [FLT-1]
     def test_services_that_a_second_node_took_and_left_are_offered_again(self):
-        first = {'/mapper/reset': 'mapper', '/make_plan': 'navigator'}
+        first = {'/waypoint_follower/clear': 'waypoint_follower', '/make_plan': 'navigator'}
         for node in first.values():
             self.node(node)
         self.assertTrue(wait_for(lambda: set(first) <= set(self.services()), 20.0))

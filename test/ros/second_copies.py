@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A second explorer, avoider or publisher of the map beside a running one, and what a node that was killed has left."""
+"""A second explorer, avoider, mapper or publisher of the map beside a running one, and what a node that was
+killed has left."""
 import signal
 import subprocess
 import sys
@@ -7,6 +8,7 @@ import time
 import unittest
 
 import rospy
+import rosservice
 import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from frontier_pilot.msg import ExplorerStatus
@@ -64,6 +66,16 @@ class SecondCopies(unittest.TestCase):
             self.assertEqual(code, 1, said)
             self.assertIn('offers /%s already' % service, said, '[FLT-2]')
             self.assertTrue(call(service, SetBool, False).success)
+
+    # [MAP-3] [FLT-2]
+    def test_a_second_mapper_under_another_name_does_not_start_and_takes_no_service(self):
+        self.start('mapper')
+        rospy.wait_for_service('mapper/save_map', 10.0)
+        code, said = self.start('mapper', '__name:=another').finish()
+        self.assertEqual(code, 1, said)
+        self.assertIn('offers /mapper/save_map already', said, '[MAP-3]')
+        for service in 'mapper/save_map', 'mapper/load_map', 'mapper/localize', 'mapper/reset', 'dynamic_map':
+            self.assertEqual(rosservice.get_service_node('/' + service), '/mapper', '[MAP-3]')
 
     # [ARB-8] [FLT-2]
     def test_a_stop_is_not_cleared_by_an_arbiter_that_has_not_heard_yet_who_asks_for_motion(self):

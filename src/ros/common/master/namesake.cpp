@@ -90,7 +90,7 @@ void refuseASecondProvider(const char* service) {
   const std::string other = waitUntilGone([service] { return findOtherProvider(service); });
   if (other.empty()) return;
   throw std::runtime_error(other + " offers " + ros::names::resolve(service) +
-                           " already: the service would switch only one of " +
+                           " already: its callers would reach only one of " +
                            "the two nodes. End that one first (rosnode kill " + other + ")");
 }
 

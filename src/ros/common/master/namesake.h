@@ -16,8 +16,8 @@ std::string waitUntilGone(const std::function<std::string()>& find);
 void refuseANamesake();
 
 /// Throws std::runtime_error if another living node, whatever its name, already offers `service`: two nodes would drive
-/// the same robot, and a call of the service would switch off only one of them. To be called before the node is
-/// started. Two nodes that are started at the same moment do not find each other. [FLT-2]
+/// or map for the same robot, and a call of the service would reach only the newer one. To be called before the node is
+/// started. Two nodes that are started at the same moment do not find each other. [FLT-2] [MAP-3]
 void refuseASecondProvider(const char* service);
 
 }  // namespace frontier_pilot
