@@ -15,7 +15,9 @@ from frontier_pilot.msg import ExplorerStatus
 from geometry_msgs.msg import Twist
 from move_base_msgs.msg import MoveBaseActionGoal
 from nav_msgs.msg import OccupancyGrid
+from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, Trigger
+from tf2_msgs.msg import TFMessage
 
 from wire import Node, Record, Source, call, clear, moves, wait_for
 
@@ -76,6 +78,25 @@ class SecondCopies(unittest.TestCase):
         self.assertIn('offers /mapper/save_map already', said, '[MAP-3]')
         for service in 'mapper/save_map', 'mapper/load_map', 'mapper/localize', 'mapper/reset', 'dynamic_map':
             self.assertEqual(rosservice.get_service_node('/' + service), '/mapper', '[MAP-3]')
+
+    # [MAP-3]
+    def test_a_mapper_beside_another_map_does_not_say_where_the_robot_is_until_that_one_has_ended(self):
+        transforms, localized = Record('/tf', TFMessage), Record('mapper/localized', Bool)
+        self.addCleanup(transforms.subscriber.unregister)
+        self.addCleanup(localized.subscriber.unregister)
+        self.start('mapper')
+
+        def says_where():
+            return any(at > time.monotonic() - 1.0 for at, message in transforms.items[-100:]
+                       if any(each.child_frame_id == 'odom' for each in message.transforms))
+        self.assertTrue(wait_for(lambda: says_where() and localized.last is not None and localized.last.data, 15.0))
+        other = rospy.Publisher('map', OccupancyGrid, queue_size=1)
+        self.addCleanup(other.unregister)
+        self.assertTrue(wait_for(lambda: not says_where()), '[MAP-3]')
+        self.assertTrue(wait_for(lambda: localized.subscriber.get_num_connections() == 0), '[MAP-3]')
+        localized.items.clear()
+        other.unregister()
+        self.assertTrue(wait_for(lambda: says_where() and localized.last is not None and localized.last.data), '[MAP-3]')
 
     # [ARB-8] [FLT-2]
     def test_a_stop_is_not_cleared_by_an_arbiter_that_has_not_heard_yet_who_asks_for_motion(self):

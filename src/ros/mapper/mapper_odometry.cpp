@@ -72,7 +72,8 @@ void MapperAdapter::publishIfLost() {
 void MapperAdapter::broadcast() {
   publishIfLost();
   // Where odometry is in the map that is kept is not known before it comes: it may have been reset as well. [FLT-2]
-  if (restored_) return;
+  // The robot's place in a map that others do not use is no place in the one that they use. [MAP-3]
+  if (restored_ || !publisher_.owns()) return;
   const auto now = connections_.clock().now();
   if (!now) return;  // after a jump of the clock the stamp might lie far in the future
   const Time stamp = *now + fromSeconds(parameters_.tf_lead);

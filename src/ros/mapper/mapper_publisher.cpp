@@ -17,9 +17,11 @@ namespace frontier_pilot {
 MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame,
                                  const mapping::MapScheduleParameters& schedule)
     : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {
-  localized_ = node_.advertise<std_msgs::Bool>(names::kLocalized, 1, true);
   replaced_ = node_.advertise<std_msgs::String>(names::kMapReplaced, 10);
+  advertiseLocalized();  // long before the map, so that who reads both is connected to it by then
 }
+
+void MapperPublisher::advertiseLocalized() { localized_ = node_.advertise<std_msgs::Bool>(names::kLocalized, 1, true); }
 
 void MapperPublisher::setOther(const std::string& node) {
   if (!node.empty() && node != other_) {
@@ -38,6 +40,7 @@ void MapperPublisher::advertise() {
   const ros::SubscriberStatusCallback note = [this](const ros::SingleSubscriberPublisher&) {
     schedule_.noteNewcomer();
   };
+  if (!localized_) advertiseLocalized();
   compact_.advertise(node_, topic_, frame_);  // first, so that the master never lists a mapper that has only `map`
   map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, note, {}, {}, true);
   updates_ = node_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
@@ -46,6 +49,10 @@ void MapperPublisher::advertise() {
 }
 
 void MapperPublisher::withdraw() {
+  localized_.shutdown();
+  found_at_.reset();
+  said_localized_ = false;  // until its own transforms hold again, those of the other may be looked up
+  said_at_ = {};
   if (!advertised_) return;
   map_.shutdown();
   updates_.shutdown();
@@ -72,11 +79,13 @@ void MapperPublisher::announceReplacement(const std::string& why) {
 }
 
 void MapperPublisher::publishLost() {
+  if (!advertised_) return;
   found_at_.reset();
   sayLocalized(false);
 }
 
 void MapperPublisher::publishLocalized(Duration lead) {
+  if (!advertised_) return;
   const Time ros_now = rosNow();
   if (!found_at_ || ros_now < *found_at_) found_at_ = ros_now;
   const bool was_lost = said_localized_ == std::optional<bool>(false);

@@ -13,7 +13,7 @@
 namespace frontier_pilot {
 
 /// Publishes the map: changes at once on `map_updates`, the whole map less often, both in few bytes on `map_changes`,
-/// and nothing while another node publishes `map`. [MAP-2] [MAP-3]
+/// and nothing while another node publishes `map`, nor before it is known that none does. [MAP-2] [MAP-3]
 /// The message of the whole map, a byte for each cell of the box around it, is made when it is sent.
 class MapperPublisher {
  public:
@@ -26,6 +26,8 @@ class MapperPublisher {
   /// otherwise it withdraws them.
   void setOther(const std::string& node);
   const std::string& other() const { return other_; }
+  /// Whether this mapper owns the map: otherwise it also must not say where the robot is.
+  bool owns() const { return advertised_; }
 
   void publish(mapping::Mapper& mapper, Time now);
   /// Publishes on `mapper/replaced` that another map is there now, and why: what was meant for the map of before, such
@@ -40,6 +42,7 @@ class MapperPublisher {
 
  private:
   void sayLocalized(bool localized);
+  void advertiseLocalized();
   void advertise();
   void withdraw();
   void publishChanges(const occupancy::OccupancyMap& map, const CellRect& cells, Time now);
