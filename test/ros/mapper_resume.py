@@ -2,6 +2,8 @@
 """Which map, and which place in it, a mapper goes on with that is started after another one died."""
 import os
 import signal
+import subprocess
+import sys
 import time
 
 import rospy
@@ -117,6 +119,22 @@ class MapperResume(MapperCase):
         self.assertTrue(wait_for(lambda: self.known() == 0))
         self.assertTrue(call('mapper/load_map', LoadMap, saved).success)
         self.assertTrue(wait_for(lambda: self.known() > 0.95 * room), '[FLT-2]')
+
+    def test_a_mapper_that_a_node_of_its_name_replaces_leaves_its_map_for_the_next_one(self):  # [FLT-2]
+        mapper = self.start()
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        before = self.known()
+        namesake = subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('mapper'); rospy.spin()"])
+        self.addCleanup(namesake.wait)
+        self.addCleanup(namesake.terminate)
+        mapper.finish(20.0)  # the master has told it to end
+        kept = newest_map()
+        self.assertTrue(os.path.exists(kept) and os.path.exists(kept + '.bt'), '[FLT-2]')
+        namesake.terminate()
+        namesake.wait()
+        self.forget_the_map()
+        self.start()
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * before, 20.0), '[FLT-2]')
 
     def test_a_map_without_a_known_cell_is_not_missed(self):  # [FLT-2]
         mapper = self.start()

@@ -35,10 +35,9 @@ class MapperAdapter {
  public:
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   ~MapperAdapter() { saver_.close(), searcher_.close(); }
-  /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map.
-  void sayLastWords() {
-    if (!restored_) autosave_.forget();  // nobody has continued with the copy that is there
-  }
+  /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map. It stays if the
+  /// mapper did not continue with it, or ends because another process has its name.
+  void sayLastWords();
   MapperAdapter(const MapperAdapter&) = delete;
   MapperAdapter& operator=(const MapperAdapter&) = delete;
 

@@ -1,6 +1,7 @@
 // A mapper that is restarted after it died continues with the map that it had. [FLT-2]
 #include <ros/console.h>
 
+#include "ros/common/master/registration.h"
 #include "ros/common/throttled_log.h"
 #include "ros/mapper/mapper_adapter.h"
 
@@ -43,6 +44,15 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
     ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << autosave_.loss());
   }
   restored_.reset();
+}
+
+void MapperAdapter::sayLastWords() {
+  if (restored_) return;
+  if (nameIsTaken()) {
+    ROS_WARN("another process has this node's name: the map is left for the mapper that is started after it");
+  } else {
+    autosave_.forget();
+  }
 }
 
 void MapperAdapter::rememberPose() {
