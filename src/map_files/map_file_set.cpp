@@ -58,7 +58,7 @@ MapIoResult MapFileSet::compareOctree(const std::string& content) const {
       case FileMatch::kNotMentioned:
         return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
       case FileMatch::kPrevious:
-        return {MapIoStatus::kOk, ", as it was before the last save, which was not completed"};
+        return {MapIoStatus::kOk, ", as it was before the last save, which was not completed", true};
       case FileMatch::kAnother:
         break;
     }

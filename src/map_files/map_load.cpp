@@ -80,12 +80,15 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
     MapIoResult drawn = loadPicture(files.yaml(), other->path, other->why, map);
     if (drawn.ok()) return drawn;
     belongs.text += "; its image should count, because " + other->why + ", but cannot be used: " + drawn.text;
+    belongs.doubtful = true;
   } else if (other && belongs.text.empty()) {  // the octree is that of the last save
     belongs.text += "; its image does not count, because " + other->why;
+    belongs.doubtful = true;
   }
   MapIoResult result = loadBytes(files.octree(), octree.bytes, map);
   if (!result.ok() && !other) return withWayOut(result, files);
   result.text += belongs.text;
+  result.doubtful = belongs.doubtful;
   return result;
 }
 

@@ -96,6 +96,7 @@ class MapperResume(MapperCase):
         wait_for(lambda: self.say_where() and False, 3.0)
         self.assertEqual(self.known(), small, 'the map of the file [FLT-2]')
         said = mapper.said()
+        self.assertIn('loaded ' + SMALL, said)
         self.assertIn('without a map_file', said)
         self.assertIn(SMALL, said)
         self.assertIn(lost, said)

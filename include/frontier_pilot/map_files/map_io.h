@@ -21,7 +21,8 @@ const char* toString(MapIoStatus status);
 
 struct MapIoResult {
   MapIoStatus status = MapIoStatus::kOk;
-  std::string text;  ///< in words: what was done, or what is wrong with which file
+  std::string text;       ///< in words: what was done, or what is wrong with which file
+  bool doubtful = false;  ///< what was loaded may not be the map that is meant; the text says why
 
   bool ok() const { return status == MapIoStatus::kOk; }
 };

@@ -28,6 +28,14 @@ std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovaria
   return usable ? std::optional<Eigen::Matrix3d>(covariance) : std::nullopt;
 }
 
+void sayLoaded(const map_files::MapIoResult& result) {
+  if (result.doubtful) {
+    THROTTLED_WARN(result.text);
+  } else {
+    THROTTLED_INFO(result.text);
+  }
+}
+
 }  // namespace
 
 /// Loads `map_file` and then the copy of the map that this mapper had when it died, which replaces it. With a copy, a
@@ -37,6 +45,7 @@ void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
   std::string problem;
   if (!parameters_.map_file.empty()) {
     const map_files::MapIoResult result = load(parameters_.map_file);
+    if (result.ok()) sayLoaded(result);
     if (!result.ok()) problem = "map_file: " + result.text;
   }
   const auto other = parameters_.autosave_period > 0.0 ? autosave_.otherMapFile() : std::nullopt;
@@ -66,6 +75,7 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.message = result.text;
   if (result.ok()) {
     publisher_.announceReplacement(result.text);
+    sayLoaded(result);
     restored_.reset();  // a map that was kept is not wanted any more
     if (parameters_.autosave_period == 0.0 || mapper_.map().isBlank()) {
       autosave_.forget();  // nothing will replace the copy
@@ -75,7 +85,6 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
     awaitAutosave();  // that of the map of before, which may be under way
     autosave();
     awaitAutosave();  // a mapper that dies after its answer has the map that was loaded
-    THROTTLED_INFO(result.text);
   } else {
     THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
   }

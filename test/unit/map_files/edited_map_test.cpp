@@ -64,6 +64,7 @@ TEST_F(EditedMap, IsLoadedAsItsPictureShowsItAndSaysSo_MAP_5) {
   const map_files::MapIoResult result = load();
   ASSERT_TRUE(result.ok()) << result.text;
   EXPECT_NE(result.text.find("edited after the map was saved"), std::string::npos) << result.text;
+  EXPECT_FALSE(result.doubtful);
   EXPECT_EQ(atWall(), kFree);
 }
 
@@ -93,9 +94,11 @@ TEST_F(EditedMap, IsLoadedFromTheOctreeIfItsPictureCannotBeReadAndSaysSo) {
   const map_files::MapIoResult result = load();
   ASSERT_TRUE(result.ok()) << result.text;
   EXPECT_NE(result.text.find("cannot be used: "), std::string::npos) << result.text;
+  EXPECT_TRUE(result.doubtful);
   EXPECT_EQ(atWall(), kOccupied);
   fs::remove(path("floor.pgm"));
   EXPECT_EQ(load().text, "loaded " + path("floor.bt"));
+  EXPECT_FALSE(load().doubtful);
 }
 
 // The YAML of a renamed map names the picture of before, which is that of the map that was saved there since.
@@ -172,6 +175,7 @@ TEST_F(EditedMap, SaysThatThePictureOfTheSaveBeforeDoesNotCount_MAP_5) {
   const map_files::MapIoResult result = load();
   EXPECT_EQ(result.text, "loaded " + path("floor.bt") +
                              "; its image does not count, because it is that of the save before the last one");
+  EXPECT_TRUE(result.doubtful);
   EXPECT_EQ(at({3, 4}), kOccupied);
 }
 
