@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The map that a mapper leaves behind when it dies: never long behind, taken up again, and gone after an end in order."""
 import os
+import resource
 import shutil
 import signal
 import threading
@@ -100,6 +101,26 @@ class MapperAutosave(MapperCase):
             self.forget_the_map()
             mapper = Node('mapper')
             self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), '[FLT-2]')
+
+    def test_a_loaded_map_that_cannot_be_kept_is_said_and_that_of_before_does_not_come_back(self):  # [FLT-2]
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        kept = newest_map()
+        # As on a full disk: a file may only have so many bytes.
+        resource.prlimit(mapper.process.pid, resource.RLIMIT_FSIZE, (512, resource.RLIM_INFINITY))
+        answer = call('mapper/load_map', LoadMap, SMALL)
+        self.assertTrue(answer.success)
+        self.assertIn('; would not survive this node: ', answer.message, '[FLT-2]')
+        mapper.signal(signal.SIGKILL)
+        mapper.finish()
+        self.assertFalse(os.path.exists(kept + '.bt'), '[FLT-2]')
+        self.assertTrue(os.path.exists(os.path.join(os.path.dirname(kept), 'lost', 'kept_map.mapper.bt')), 'nothing is lost')
+        self.forget_the_map()
+        mapper = Node('mapper')
+        rospy.wait_for_service('mapper/reset', 15.0)
+        self.assertFalse(wait_for(lambda: self.say_where() and self.known() > 0, 3.0), '[FLT-2]')
 
     def test_a_mapper_that_dies_before_it_has_answered_load_map_leaves_one_map_or_the_other(self):  # [FLT-2]
         mapper = Node('mapper')

@@ -21,15 +21,25 @@ namespace fs = std::filesystem;
 
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
 
-/// Returns why it could not be saved; empty if it was.
+/// Puts the copy of a map that another one was loaded for where no mapper takes it up, because that one could not be
+/// saved in its place. Returns what is to be added to why it could not.
+std::string withdraw(const SessionMemory& memory) {
+  const auto stays = [](const fs::path& base) { return kept_map::exists(base) && kept_map::setAside(base).empty(); };
+  const std::vector<fs::path>& bases = memory.files();
+  if (std::any_of(bases.begin(), bases.end(), stays)) return "; the map of before would come back";
+  memory.forget();
+  return {};
+}
+
+/// Returns why it could not be saved; empty if it was. If `superseded`, the copy that is there is of another map.
 std::string save(const map_files::MapSnapshot& map, const std::string& pose, const SessionMemory& memory,
-                 const std::atomic<bool>& wanted) {
+                 const std::atomic<bool>& wanted, bool superseded) {
   if (memory.files().empty()) return "the ROS session has no name";
   const fs::path base = memory.files().front();
   std::error_code error;
   fs::create_directories(base.parent_path(), error);
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
-  if (!result.ok()) return result.text;
+  if (!result.ok()) return result.text + (superseded ? withdraw(memory) : "");
   kept_map::removeOldest(base);
   if (!wanted) return {};  // a pose would have the next mapper continue with it
   return memory.remember(pose);
@@ -117,10 +127,10 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   ended_ = std::make_shared<std::atomic<bool>>(false);
   saver.run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, wanted = wanted_,
-             done = done_, ended = ended_, rendered = has.rendered] {
+             done = done_, ended = ended_, rendered = has.rendered, superseded = superseded_] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
-      std::string why = *wanted ? frontier_pilot::save(snapshot, text, memory, *wanted) : std::string();
+      std::string why = *wanted ? frontier_pilot::save(snapshot, text, memory, *wanted, superseded) : std::string();
       if (*wanted) return why;
       discard(memory);  // its files may have been removed while they were read back, which is no problem
       return std::string();
@@ -132,12 +142,23 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   schedule_.begin(content, now);
 }
 
+void MapAutosave::noteEnd() {
+  auto done = done_->take();
+  if (!done) return;
+  problem_ = std::move(done->problem);
+  schedule_.end(problem_.empty(), done->at, done->took);
+  if (!problem_.empty()) return;
+  rendered_ = done->rendered;
+  if (schedule_.hasCopy()) superseded_ = false;
+}
+
+std::string MapAutosave::whyNotSaved() {
+  noteEnd();
+  return isSaving() ? "it is still being saved" : problem_;
+}
+
 void MapAutosave::remember(const MapPose& pose, std::uint64_t rendered) {
-  if (auto done = done_->take()) {
-    problem_ = std::move(done->problem);
-    schedule_.end(problem_.empty(), done->at, done->took);
-    if (problem_.empty()) rendered_ = done->rendered;
-  }
+  noteEnd();
   // Without a map the pose would be that of a map that was lost, and on one of before a closed loop the robot is
   // elsewhere: the pose of the copy stays, but not the time by which a mapper in another session recognises it.
   if (!schedule_.hasCopy()) {
@@ -172,6 +193,7 @@ void MapAutosave::tell(MemoryReport& report) const {
 void MapAutosave::supersede() {
   loss_.clear();
   schedule_.discard();
+  superseded_ = true;
 }
 
 void MapAutosave::forget() {

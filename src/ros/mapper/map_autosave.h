@@ -49,6 +49,8 @@ class MapAutosave {
   void save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, MapSaver& saver);
   /// Whether the save that was begun last has not ended yet.
   bool isSaving() const { return ended_ && !*ended_; }
+  /// Why the map that was to be saved last would not survive; empty if it would.
+  std::string whyNotSaved();
   /// Keeps `pose` beside the copy that there is, without saving the map. If the map was rendered again since, the
   /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const MapPose& pose, std::uint64_t rendered);
@@ -56,7 +58,7 @@ class MapAutosave {
   /// its `content`, and as soon as it can be.
   void forget();
   /// The same, because another map was loaded; but the copy stays until that map replaces it, so that a mapper which
-  /// dies meanwhile leaves one of the two.
+  /// dies meanwhile leaves one of the two. If that map cannot be saved, the copy is moved to the folder `lost`.
   void supersede();
   /// Records that the map of the mapper that died cannot be continued with, and moves its files to the folder `lost`
   /// beside them (`kept_map::setAside`). It is reported until the map is reset or loaded, or for a
@@ -84,6 +86,8 @@ class MapAutosave {
   /// What is remembered beside the copy; nothing if it cannot be read.
   std::optional<KeptPose> recall() const;
   std::string keptBefore() const;
+  /// Takes over how the save has ended that was begun last.
+  void noteEnd();
   std::string textOf(const MapPose& pose) const { return toText({pose, map_file_}); }
   void noteMapping(std::uint64_t content, SteadyTime now);
 
@@ -93,6 +97,7 @@ class MapAutosave {
   std::shared_ptr<Mailbox<Saved>> done_;
   std::shared_ptr<std::atomic<bool>> ended_;  ///< whether the save that was begun last has
   SaveSchedule schedule_;
+  bool superseded_ = false;                  ///< the copy that may be there is of a map that another one was loaded for
   std::uint64_t rendered_ = 0;               ///< how often the map of the copy had been rendered again
   std::string problem_, pose_problem_;       ///< why the last map, and the last pose, could not be saved
   std::string loss_;                         ///< why the map of the mapper that died is lost

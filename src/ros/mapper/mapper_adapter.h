@@ -70,6 +70,7 @@ class MapperAdapter {
   /// Loads `map_file`, if given; throws a ConfigurationError if it cannot be loaded.
   void loadFirstMap(const ros::NodeHandle& private_node);
   map_files::MapIoResult load(const std::string& path);
+  std::string keepLoaded();
   /// Reads the map of a mapper that died in this session, if there is one.
   void restore();
   void putAside(const std::string& other_map_file);

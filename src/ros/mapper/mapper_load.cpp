@@ -76,19 +76,31 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   if (result.ok()) {
     publisher_.announceReplacement(result.text);
     sayLoaded(result);
-    restored_.reset();  // a map that was kept is not wanted any more
-    if (parameters_.autosave_period == 0.0 || mapper_.map().isBlank()) {
-      autosave_.forget();  // nothing will replace the copy
-    } else {
-      autosave_.supersede();
+    const std::string problem = keepLoaded();
+    if (!problem.empty()) {
+      response.message += "; would not survive this node: " + problem;
+      THROTTLED_WARN("the map that was loaded would not survive this node: " << problem);
     }
-    awaitAutosave();  // that of the map of before, which may be under way
-    autosave();
-    awaitAutosave();  // a mapper that dies after its answer has the map that was loaded
   } else {
     THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
   }
   return true;
+}
+
+/// A mapper that dies after its answer has the map that was loaded. Returns why it would not; empty if it would, or if
+/// no map is to be kept.
+std::string MapperAdapter::keepLoaded() {
+  restored_.reset();  // a map that was kept is not wanted any more
+  if (parameters_.autosave_period == 0.0 || mapper_.map().isBlank()) {
+    autosave_.forget();  // nothing will replace the copy
+    awaitAutosave();
+    return {};
+  }
+  autosave_.supersede();
+  awaitAutosave();  // that of the map of before, which may be under way
+  autosave();
+  awaitAutosave();
+  return autosave_.whyNotSaved();
 }
 
 void MapperAdapter::awaitAutosave() {
