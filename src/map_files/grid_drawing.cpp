@@ -19,13 +19,13 @@ CellRect knownCells(const OccupancyGrid& image) {
 
 }  // namespace
 
-bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
+std::string draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   const GridGeometry& from = image.geometry();
   // Without what is unknown around it, so that a map does not grow each time that its picture is edited and loaded. One
   // cell more on each side, because of rounding.
   const CellRect box = knownCells(image).grown(1);
-  if (!map.reserve(from.centre({box.x, box.y}), from.centre({box.x + box.width - 1, box.y + box.height - 1})))
-    return false;
+  const Vec2 low = from.centre({box.x, box.y}), high = from.centre({box.x + box.width - 1, box.y + box.height - 1});
+  if (!map.reserve(low, high)) return map.describe(map.roomAt(low, high));
   // One shift in whole cells for all: converting each centre would round those near a border between cells either way.
   const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
   const auto dx = static_cast<int>(std::lround(shift.x()));
@@ -40,7 +40,7 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
       if (isFree(image[k])) map.miss(cell);
     }
   }
-  return !map.isFull();
+  return map.isFull() ? "needs more than max_memory of the map" : "";
 }
 
 }  // namespace frontier_pilot::map_files

@@ -157,7 +157,8 @@ MapIoResult saveGrid(const OccupancyGrid& grid, const std::string& path) {
   parameters.max_side = (std::max(grid.width(), grid.height()) + 8) * grid.resolution();
   parameters.max_memory = 16000.0;  // [MB]
   occupancy::OccupancyMap map(parameters);
-  if (!draw(grid, map)) return {MapIoStatus::kCannotWrite, "the map is too large"};
+  const std::string problem = draw(grid, map);
+  if (!problem.empty()) return {MapIoStatus::kCannotWrite, "the map " + problem};
   return saveMap(map, path);
 }
 

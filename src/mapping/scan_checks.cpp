@@ -30,6 +30,8 @@ ScanVerdict verdictOf(occupancy::Insertion insertion) {
       return ScanVerdict::kInserted;
     case occupancy::Insertion::kAllInvalid:
       return ScanVerdict::kAllInvalid;
+    case occupancy::Insertion::kTooFar:
+      return ScanVerdict::kTooFar;
     case occupancy::Insertion::kOutOfBounds:
       break;
   }

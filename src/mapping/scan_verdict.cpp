@@ -26,6 +26,8 @@ const char* toString(ScanVerdict verdict) {
       return "all beams invalid";
     case ScanVerdict::kOutOfBounds:
       return "map too large, see max_side";
+    case ScanVerdict::kTooFar:
+      return "too far from the map's origin";
     case ScanVerdict::kMisfit:
       return "fits nowhere";
     case ScanVerdict::kNotLocated:

@@ -28,59 +28,6 @@ OccupancyMap::~OccupancyMap() = default;
 OccupancyMap::OccupancyMap(OccupancyMap&&) noexcept = default;
 OccupancyMap& OccupancyMap::operator=(OccupancyMap&&) noexcept = default;
 
-CellRect OccupancyMap::kept() const { return isBlank() ? CellRect() : extent_; }
-
-CellRect OccupancyMap::needed(const Vec2& low, const Vec2& high) const {
-  GridGeometry frame;
-  frame.resolution = parameters_.resolution;
-  CellRect cells = kept();
-  // One cell more on each side: a point on a border may be rounded to either cell.
-  const Cell first = frame.cellAt(low);
-  const Cell last = frame.cellAt(high);
-  cells.include(Cell{first.x - 1, first.y - 1});
-  cells.include(Cell{last.x + 1, last.y + 1});
-  return cells;
-}
-
-bool OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
-  // Far beyond any map, so that what follows cannot overflow; the comparison is also false for NaN.
-  constexpr double kFar = 1e6;  // [m]
-  const bool near = low.cwiseAbs().maxCoeff() < kFar && high.cwiseAbs().maxCoeff() < kFar;
-  return near && reserveCells(needed(low, high));
-}
-
-CellRect OccupancyMap::snapped(const CellRect& cells) const {
-  const int step = std::max(1, static_cast<int>(std::lround(parameters_.growth_step / parameters_.resolution)));
-  const CellRect block = grids::snap(cells, step);
-  return isAllowed(block) ? block : cells;
-}
-
-bool OccupancyMap::isAllowed(const CellRect& cells) const {
-  const int limit = std::min(bounds::kMostSide, static_cast<int>(parameters_.max_side / parameters_.resolution));
-  if (cells.width > limit || cells.height > limit) return false;
-  constexpr int kHalf = kOctreeHalfSide;
-  return cells.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == cells;
-}
-
-bool OccupancyMap::reserveCells(const CellRect& cells) {
-  if (cells == extent_) return true;
-  const CellRect grown = snapped(cells);
-  if (!isAllowed(grown)) return false;
-  resize(grown);
-  return true;
-}
-
-void OccupancyMap::resize(const CellRect& cells) {
-  if (cells == extent_) return;
-  geometry_.origin = Vec2(cells.x, cells.y) * parameters_.resolution;
-  geometry_.width = cells.width;
-  geometry_.height = cells.height;
-  extent_ = cells;
-  log_odds_.reserve(cells);
-  scans_.reserve(cells);
-  changes_ = {true, geometry_.rect()};
-}
-
 void OccupancyMap::beginScan() {
   // The numbers of earlier scans do not matter any more: they are kept only while they are few.
   constexpr std::size_t kMostKept = 1024;  // [tiles]: 8 MB, or 100 m x 100 m in cells of 5 cm
@@ -188,12 +135,6 @@ void OccupancyMap::clear() {
   outdated_ = geometry_.rect();
 }
 
-bool OccupancyMap::hasRoomFor(const OccupancyMap& other) const {
-  CellRect cells = kept();
-  cells.include(other.extent_);
-  return cells == other.extent_ || isAllowed(other.snapped(cells));
-}
-
 CellRect OccupancyMap::changedFrom(const OccupancyMap& other) const {
   CellRect changed;
   forEachTile(extent_, [&](Cell low) {
@@ -262,8 +203,8 @@ bool OccupancyMap::read(const std::string& bytes, std::string& why) {
   const CellRect cells = leaves.extent();
   // An octree without cells at the scanner's height is from another robot, and must not replace the map.
   if (cells.empty()) return why = "holds nothing at the scanner's height", false;
-  why = "is larger than the map may be";
   OccupancyMap loaded(parameters_);
+  why = describe(roomAt(snapped(cells)));
   if (!loaded.reserveCells(cells)) return false;
   leaves.forEach([&](const CellRect& leaf, bool occupied) {
     for (int y = leaf.y; y < leaf.y + leaf.height && !loaded.full_; ++y) {
@@ -273,6 +214,7 @@ bool OccupancyMap::read(const std::string& bytes, std::string& why) {
     }
   });
   if (loaded.full_) return why = "needs more than max_memory of the map", false;
+  why = describe(MapRoom::kTooLarge);
   return exchange(loaded);
 }
 

@@ -10,7 +10,8 @@ namespace frontier_pilot::occupancy {
 Insertion ScanInserter::insert(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, OccupancyMap& map) {
   readRays(scan, T_map_base, map.parameters().resolution);
   if (rays_.empty()) return Insertion::kAllInvalid;
-  if (!reserve(T_map_base, map)) return Insertion::kOutOfBounds;
+  const MapRoom room = reserve(T_map_base, map);
+  if (room != MapRoom::kEnough) return room == MapRoom::kTooFar ? Insertion::kTooFar : Insertion::kOutOfBounds;
   map.beginScan();
   markHits(map);
   clearRays(map);
@@ -72,7 +73,7 @@ bool ScanInserter::isSlit(const Passage& passage) const {
   });
 }
 
-bool ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {
+MapRoom ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {
   const Vec2 radius = Vec2::Constant(parameters_.robot_radius);
   Vec2 low = T_map_base.position() - radius;
   Vec2 high = T_map_base.position() + radius;
@@ -81,7 +82,7 @@ bool ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {
     low = low.cwiseMin(ray.from).cwiseMin(ray.clear_to).cwiseMin(hit);
     high = high.cwiseMax(ray.from).cwiseMax(ray.clear_to).cwiseMax(hit);
   }
-  return map.reserve(low, high);
+  return map.reserve(low, high) ? MapRoom::kEnough : map.roomAt(low, high);
 }
 
 void ScanInserter::markHits(OccupancyMap& map) const {

@@ -33,11 +33,12 @@ enum class ScanVerdict {
   kMalformed,    ///< its geometry is not finite or not that of a scan, or it has no ranges
   kAllInvalid,   ///< no beam is usable
   kOutOfBounds,  ///< the map would become too large
+  kTooFar,       ///< farther from the map's origin than a map reaches
   kMisfit,       ///< it fits nowhere near, and would only corrupt the map
   kNotLocated,   ///< the robot is sought on a known map, and the scan does not fit where it is said to be
   kBlind,        ///< it has hardly any return where the map has walls all around
 };
-constexpr std::size_t kScanVerdicts = 14;
+constexpr std::size_t kScanVerdicts = 15;
 
 const char* toString(ScanVerdict verdict);
 

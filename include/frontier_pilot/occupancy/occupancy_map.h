@@ -27,6 +27,13 @@ struct LogOddsModel {
   float clamp(float log_odds) const { return std::min(std::max(log_odds, min), max); }
 };
 
+/// Whether a map can cover a box.
+enum class MapRoom {
+  kEnough,
+  kTooLarge,  ///< it would be wider or higher than it may be
+  kTooFar,    ///< the box lies farther from the frame's origin than a map reaches, that is 32768 cells
+};
+
 /// What has changed since the changes were last taken.
 struct MapChanges {
   bool geometry_changed = false;  ///< the map has grown: cell indices have changed
@@ -69,7 +76,11 @@ class OccupancyMap {
   /// Whether cells were left out, since the map was last cleared, because `max_memory` is used up.
   bool isFull() const { return full_; }
 
-  /// Grows so that the box `low`-`high` [m] is inside. Returns false, and does nothing, if the map would be too large.
+  /// Whether the map can grow so that the box `low`-`high` [m] is inside.
+  MapRoom roomAt(const Vec2& low, const Vec2& high) const;
+  /// What is wrong with a box for which there is such room, as the end of a sentence; empty if nothing is.
+  std::string describe(MapRoom room) const;
+  /// Grows so that the box `low`-`high` [m] is inside. Returns false, and does nothing, if there is no room for it.
   bool reserve(const Vec2& low, const Vec2& high);
 
   /// Begins a scan, which updates each cell at most once: report hits before misses, so that hits take precedence.
@@ -116,7 +127,8 @@ class OccupancyMap {
   /// Writes OctoMap's binary format. Returns false when the stream fails.
   bool write(std::ostream& out) const;
   /// Replaces the map by one that `write` wrote. Returns false, changes nothing, and gives the reason in `why`, when
-  /// the bytes are not a complete octree of this resolution, or it is too large or empty at the scanner's height.
+  /// the bytes are not a complete octree of this resolution, or it is too large, too far away, or empty at the
+  /// scanner's height.
   bool read(const std::string& bytes, std::string& why);
   /// The greatest size that `read` accepts [bytes].
   std::size_t mostBytes() const;
@@ -146,7 +158,7 @@ class OccupancyMap {
   CellRect needed(const Vec2& low, const Vec2& high) const;
   /// The block of whole growth steps around `cells`; `cells` themselves if that would be too large.
   CellRect snapped(const CellRect& cells) const;
-  bool isAllowed(const CellRect& cells) const;
+  MapRoom roomAt(const CellRect& cells) const;
   bool reserveCells(const CellRect& cells);
   void resize(const CellRect& cells);
 

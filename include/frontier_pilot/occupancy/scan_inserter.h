@@ -16,6 +16,7 @@ enum class Insertion {
   kInserted,
   kAllInvalid,   ///< no beam is usable
   kOutOfBounds,  ///< the map would have to grow beyond its largest size
+  kTooFar,       ///< farther from the frame's origin than a map reaches
 };
 
 /// Inserts scans into a map. A measured surface may lie on the border of a cell, and noise moves it to either side: so
@@ -53,7 +54,7 @@ class ScanInserter {
   Ray rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor, double resolution) const;
   void shortenLone(const surfaces::SurfaceScan& scan);
   bool isSlit(const Passage& passage) const;
-  bool reserve(const Pose2& T_map_base, OccupancyMap& map) const;
+  MapRoom reserve(const Pose2& T_map_base, OccupancyMap& map) const;
   void markHits(OccupancyMap& map) const;
   void clearRays(OccupancyMap& map) const;
   void clearFootprint(const Vec2& robot, OccupancyMap& map) const;

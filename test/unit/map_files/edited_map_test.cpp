@@ -150,6 +150,14 @@ TEST_F(EditedMap, IsLoadedFromItsOwnPictureAloneAlsoAfterItWasRenamed_MAP_5) {
   EXPECT_EQ(atWall(), kOccupied);
 }
 
+// [MAP-5]
+TEST_F(EditedMap, IsRefusedForItsPlaceAndNotForItsSizeWhereItsOriginIsFarAway_MAP_5) {
+  write("far.pgm", withoutWall());
+  write("far.yaml", "image: far.pgm\nresolution: 0.05\norigin: [5000, 0, 0]\n");
+  const map_files::MapIoResult result = map_files::loadMap(path("far"), loaded);
+  EXPECT_EQ(result.text, path("far.yaml") + ": lies farther than 1638.4 m from the frame's origin");
+}
+
 // A way out that does not lead out is worse than none.
 TEST_F(EditedMap, IsNotSaidToBeLoadedFromItsPictureWhereThatCannotBeRead_MAP_5) {
   fs::remove(path("floor.bt"));

@@ -132,6 +132,11 @@ TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
       << "and the next good one goes in";
 }
 
+// [MAP-4] As with odometry that counts from the origin of a country's coordinates.
+TEST_F(MapperTest, SaysThatTheRobotIsTooFarAwayAndNotThatTheMapIsTooLarge_MAP_4) {
+  EXPECT_EQ(insert(ring(1.0), Pose2(5e5, 0.0, 0.0)), mapping::ScanVerdict::kTooFar);
+}
+
 // [MAP-4] Maps of hundreds of metres
 TEST_F(MapperTest, GoesOnWithWhatItKnowsWhenTheMemoryOfTheMapIsUsedUpAndSaysWhatToDo_MAP_4) {
   mapping::MapperParameters parameters;

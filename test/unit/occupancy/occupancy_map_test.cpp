@@ -100,6 +100,17 @@ TEST(OccupancyMap, RefusesToGrowBeyondItsLargestSizeAndStaysAsItWas) {
   EXPECT_EQ(map.geometry(), before);
 }
 
+// A map of a few metres may lie where no map reaches, as one with the coordinates of a whole country.
+TEST(OccupancyMap, TellsABoxThatLiesTooFarAwayFromOneThatIsTooLarge) {
+  const occupancy::OccupancyMap map;
+  EXPECT_EQ(map.roomAt({0.0, 1600.0}, {1.0, 1601.0}), occupancy::MapRoom::kEnough);
+  EXPECT_EQ(map.roomAt({0.0, 1638.0}, {1.0, 1639.0}), occupancy::MapRoom::kTooFar);
+  EXPECT_EQ(map.roomAt({-4e8, 0.0}, {-4e8, 1.0}), occupancy::MapRoom::kTooFar);
+  EXPECT_EQ(map.roomAt({0.0, 0.0}, {1500.0, 0.0}), occupancy::MapRoom::kTooLarge);
+  EXPECT_EQ(map.describe(occupancy::MapRoom::kTooFar), "lies farther than 1638.4 m from the frame's origin");
+  EXPECT_EQ(map.describe(occupancy::MapRoom::kEnough), "");
+}
+
 // [MAP-2] The map grows by 10 m: a box around the robot that is rounded to that is 20 m wide.
 TEST(OccupancyMap, TakesWhatFitsIntoItsLargestSizeThoughNotRounded_MAP_2) {
   occupancy::OccupancyMapParameters parameters;
