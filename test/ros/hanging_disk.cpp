@@ -1,5 +1,5 @@
-// A disk that hangs, for a process that has this library preloaded (LD_PRELOAD): open, open64, opendir and mkdir of a
-// path below the folder HANGING_DISK wait as long as there is a file HANGING_DISK.hangs.
+// A disk that hangs, for a process that has this library preloaded (LD_PRELOAD): open, open64, opendir, mkdir and
+// remove of a path below the folder HANGING_DISK wait as long as there is a file HANGING_DISK.hangs.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -59,6 +60,11 @@ DIR* opendir(const char* path) {
 int mkdir(const char* path, mode_t mode) noexcept {
   waitForDisk(path);
   return hidden<int(const char*, mode_t)>("mkdir")(path, mode);
+}
+
+int remove(const char* path) noexcept {
+  waitForDisk(path);
+  return hidden<int(const char*)>("remove")(path);
 }
 
 }  // extern "C"

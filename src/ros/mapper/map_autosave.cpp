@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "frontier_pilot/core/geometry.h"
@@ -56,9 +57,10 @@ std::string tried(const std::function<std::string()>& job) {
   }
 }
 
-void discard(const SessionMemory& memory) {
+/// Returns why the pose could not be removed; empty if it was.
+std::string discard(const SessionMemory& memory) {
   for (const fs::path& base : memory.files()) kept_map::removeFiles(base);
-  memory.forget();
+  return memory.forgetPatiently();
 }
 
 }  // namespace
@@ -122,6 +124,10 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   const SteadyTime now = steadyNow();
   const std::uint64_t content = has.scans + has.rendered;
   noteMapping(content, now);
+  if (!isDiscarded()) {  // which would remove what is saved now
+    problem_ = "the copy of a map that was given up cannot be removed: the disk does not answer";
+    return;
+  }
   remember(pose, has.rendered);
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
@@ -196,11 +202,21 @@ void MapAutosave::supersede() {
   superseded_ = true;
 }
 
-void MapAutosave::forget() {
+bool MapAutosave::forget(Duration patience) {
   supersede();
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
-  discard(memory_);
+  unwanted_ = memory_;
+  const SteadyTime end = steadyNow() + patience;
+  while (!isDiscarded() && steadyNow() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return !unwanted_;
+}
+
+/// Whether nothing is left of a copy that was to be removed. One that a disk which hung has kept is removed now.
+bool MapAutosave::isDiscarded() {
+  // The jobs on the disk follow each other: when this one has ended, those before it that were late have as well.
+  if (unwanted_ && diskThread().run<std::string>([memory = *unwanted_] { return discard(memory); })) unwanted_.reset();
+  return !unwanted_;
 }
 
 void MapAutosave::enter(const std::vector<std::string>& sessions) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -55,8 +56,9 @@ class MapAutosave {
   /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const MapPose& pose, std::uint64_t rendered);
   /// Removes the copy, because the map was reset or the mapper is shut down regularly. The next map is saved whatever
-  /// its `content`, and as soon as it can be.
-  void forget();
+  /// its `content`, and as soon as it can be. A disk that hangs is waited for for `patience`; later on the copy is
+  /// removed before anything is saved. Returns whether it is gone.
+  bool forget(Duration patience = std::chrono::milliseconds(500));
   /// The same, because another map was loaded; but the copy stays until that map replaces it, so that a mapper which
   /// dies meanwhile leaves one of the two. If that map cannot be saved, the copy is moved to the folder `lost`.
   void supersede();
@@ -89,10 +91,12 @@ class MapAutosave {
   /// Takes over how the save has ended that was begun last.
   void noteEnd();
   std::string textOf(const MapPose& pose) const { return toText({pose, map_file_}); }
+  bool isDiscarded();
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   const std::string map_file_;
   SessionMemory memory_;                       ///< holds a KeptPose; the map's files lie beside it
+  std::optional<SessionMemory> unwanted_;      ///< the place of a copy that is to be removed
   std::shared_ptr<std::atomic<bool>> wanted_;  ///< false once the copy being saved is obsolete
   std::shared_ptr<Mailbox<Saved>> done_;
   std::shared_ptr<std::atomic<bool>> ended_;  ///< whether the save that was begun last has

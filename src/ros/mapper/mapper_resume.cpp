@@ -2,6 +2,7 @@
 #include <ros/console.h>
 
 #include "ros/common/master/registration.h"
+#include "ros/common/node_main.h"
 #include "ros/common/throttled_log.h"
 #include "ros/mapper/mapper_adapter.h"
 
@@ -47,12 +48,13 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
 }
 
 void MapperAdapter::sayLastWords() {
-  if (restored_) return;
+  if (restored_) return;  // nobody has continued with the copy that is there
   if (nameIsTaken()) {
     ROS_WARN("another process has this node's name: the map is left for the mapper that is started after it");
-  } else {
-    autosave_.forget();
+    return;
   }
+  // The thread that saves may hang as well as this one.
+  if (!autosave_.forget(std::chrono::seconds(5))) limitTheEndAnyway();
 }
 
 void MapperAdapter::rememberPose() {

@@ -248,13 +248,14 @@ std::string SessionMemory::removeThoseOfTheDead() const {
   return removeAll(files);
 }
 
+std::string SessionMemory::forgetPatiently() const {
+  const std::string of_the_dead = removeThoseOfTheDead(), mine = removeAll(files_);
+  return mine.empty() ? of_the_dead : mine;
+}
+
 std::string SessionMemory::forget() const {
   const std::string spare = removeAll(spares_);
-  const std::string problem = onDisk([copy = *this] {
-    const std::string of_the_dead = copy.removeThoseOfTheDead();
-    const std::string mine = removeAll(copy.files_);
-    return mine.empty() ? of_the_dead : mine;
-  });
+  const std::string problem = onDisk([copy = *this] { return copy.forgetPatiently(); });
   return spare.empty() ? problem : spare;
 }
 

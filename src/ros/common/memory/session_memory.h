@@ -63,6 +63,8 @@ class SessionMemory {
   /// Removes what this process and dead ones have remembered; files of other living processes stay. Returns an empty
   /// text, or why some could not be removed.
   std::string forget() const;
+  /// The same below ROS_HOME alone, on the thread that calls it, however long the disk hangs.
+  std::string forgetPatiently() const;
   /// To be called at a regular shutdown: a process of another session will then ignore what this one has stored.
   void endInOrder() const;
   /// The files of this process, one for each name of the session.

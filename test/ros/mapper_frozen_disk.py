@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""A disk under ROS_HOME that hangs, as one of a server that is away, holds up neither a reset of the map nor the end of the mapper."""
+import os
+import pathlib
+import signal
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from std_srvs.srv import Trigger
+
+from mapper_case import MapperCase, kept_maps
+from wire import SANITIZED, Node, call, find_node, use_a_home_of_its_own, wait_for
+
+LIBRARY = os.path.join(os.path.dirname(find_node('frontier_pilot', 'mapper')), '..', 'libhanging_disk.so')
+
+
+@unittest.skipIf(SANITIZED, 'no library may be loaded before that of the sanitizer')
+class MapperOnAFrozenDisk(MapperCase):
+    def setUp(self):
+        super().setUp()
+        disk = os.path.join(os.environ['ROS_HOME'], 'frontier_pilot')
+        self.hangs = pathlib.Path(disk + '.hangs')
+        self.mapper = Node('mapper', environment=dict(os.environ, HANGING_DISK=disk, LD_PRELOAD=LIBRARY))
+        self.addCleanup(self.mapper.process.kill)
+        self.addCleanup(lambda: self.hangs.unlink() if self.hangs.exists() else None)
+        self.assertTrue(self.keeps_a_map(), self.mapper.said())
+
+    def keeps_a_map(self):
+        """Whether it keeps one from now on."""
+        start = time.time_ns()
+        return wait_for(lambda: self.drive() or any(written > start for written in kept_maps()), 20.0)
+
+    # [FLT-1] [FLT-2]
+    def test_a_reset_does_not_wait_and_what_is_kept_after_it_stays(self):
+        self.hangs.touch()
+        answers = []
+        asking = threading.Thread(target=lambda: answers.append(call('mapper/reset', Trigger)), daemon=True)
+        asking.start()
+        asking.join(10.0)
+        self.assertTrue(answers and answers[0].success, 'the reset waits for the disk [FLT-1]')
+        self.forget_the_map()
+        self.assertTrue(wait_for(lambda: self.drive() or self.known() > 0, 10.0), 'the mapper goes on [FLT-1]')
+        self.hangs.unlink()
+        self.assertTrue(self.keeps_a_map(), self.mapper.said())
+        wait_for(lambda: self.drive() and False, 1.0)
+        self.assertTrue(kept_maps(), 'the map of after the reset is kept [FLT-2]')
+        self.mapper.end()
+        self.assertEqual(kept_maps(), set(), 'an end in order leaves none')
+
+    # [FLT-1]
+    def test_the_end_does_not_wait(self):
+        self.hangs.touch()
+        self.mapper.signal(signal.SIGINT)
+        self.assertTrue(wait_for(self.mapper.has_ended, 30.0), 'the end waits for the disk')
+
+
+if __name__ == '__main__':
+    use_a_home_of_its_own()
+    rospy.init_node('mapper_frozen_disk')
+    rostest.rosrun('frontier_pilot', 'mapper_frozen_disk', MapperOnAFrozenDisk)
