@@ -13,6 +13,7 @@ import unittest
 import rosgraph
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from frontier_pilot.msg import ArbiterStatus, AvoiderStatus, PatrolActionGoal
 from std_srvs.srv import SetBool, Trigger
 
@@ -219,6 +220,23 @@ class Respawn(unittest.TestCase):
         latcher.send_signal(signal.SIGCONT)
         self.assertTrue(wait_for(lambda: 'is ignored: it was published before' in self.node.said()), self.node.said())
         self.assertNotIn('patrol requested', self.node.said(), '[ARB-8]')
+
+    # [FLT-1] [FLT-2]
+    def test_a_period_of_the_diagnostics_neither_silences_a_node_nor_keeps_it_from_being_started_again(self):
+        words = Record('/diagnostics', DiagnosticArray)
+        self.node = self.start('obstacle_avoider')
+
+        def comes(count):
+            words.items.clear()
+            own = lambda: [word for _, word in words.items if word.status[0].name.startswith('obstacle_avoider: ')]
+            return wait_for(lambda: len(own()) >= count)
+        self.assertTrue(comes(1))
+        rospy.set_param('obstacle_avoider/diagnostic_period', 1e300)
+        self.addCleanup(rospy.delete_param, 'obstacle_avoider/diagnostic_period')
+        self.assertTrue(comes(3), '[FLT-1]')
+        self.started_again('obstacle_avoider')
+        self.assertTrue(comes(1), '[FLT-2]')
+        self.assertIn('/obstacle_avoider/diagnostic_period is ignored', self.node.said())
 
     # [FLT-2]
     def test_a_second_node_of_a_name_does_not_start_and_the_first_goes_on(self):

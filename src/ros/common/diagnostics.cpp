@@ -40,8 +40,10 @@ void Rejections::report(diagnostic_updater::DiagnosticStatusWrapper& status) con
   if (for_other_reasons_ > 0) status.add(what_ + " refused: for other reasons", for_other_reasons_);
 }
 
+/// The updater reads `diagnostic_period` before each update, which fails where that is too large. It has a namespace of
+/// its own, where nobody sets it. [FLT-1]
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : updater_(node, private_node) {
+    : updater_(node, ros::NodeHandle(private_node, "diagnostics")) {
   updater_.setHardwareID("none");
   timer_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(1.0),
                                                    [this](const ros::SteadyTimerEvent&) { publish(); });

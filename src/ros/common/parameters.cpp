@@ -8,6 +8,9 @@ namespace frontier_pilot {
 
 namespace {
 
+/// A parameter of diagnostic_updater's, which a launch file may set for all its nodes.
+constexpr const char* kDiagnosticPeriod = "diagnostic_period";
+
 /// Values are quoted in problems; one of the size of a file would hide all other lines.
 std::string shortened(const std::string& problem) {
   constexpr std::size_t kLongest = 1000;
@@ -32,7 +35,12 @@ ParameterMap readParameters(const ros::NodeHandle& node) {
     throw ConfigurationError(node.getNamespace(), {"is a single value, not a dictionary of parameters"});
   }
   try {
-    return std::get<ParameterMap>(toParameterValue(value).value);
+    auto parameters = std::get<ParameterMap>(toParameterValue(value).value);
+    if (parameters.erase(kDiagnosticPeriod) > 0) {
+      ROS_WARN_STREAM(node.getNamespace()
+                      << "/" << kDiagnosticPeriod << " is ignored: a node publishes its diagnostics each second");
+    }
+    return parameters;
   } catch (const std::length_error& error) {
     throw ConfigurationError(node.getNamespace(), {error.what()});
   }

@@ -16,7 +16,8 @@ class ConfigurationError : public std::runtime_error {
   ConfigurationError(const std::string& where, const Problems& problems);
 };
 
-/// All parameters in the namespace of `node`, which is usually the private one; empty if there are none.
+/// All parameters in the namespace of `node`, which is usually the private one; empty if there are none. Without
+/// `diagnostic_period`, of which it says that it is ignored.
 ParameterMap readParameters(const ros::NodeHandle& node);
 
 /// Logs the effective configuration at DEBUG.
