@@ -1,5 +1,6 @@
 // The operator's window on two robots, each with a live arbiter, and on the stop of all.
 
+#include <frontier_pilot/FleetStopStatus.h>
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -129,6 +130,38 @@ TEST_F(FleetOnTheWire, StopsAllRobotsAndShowsThatTheyAreStopped) {
   EXPECT_TRUE(waitFor([&] { return one_.forward == 0.0; }));
   for (const char* robot : {"robot_state_robot1", "robot_state_robot2"})
     EXPECT_TRUE(waitFor([&] { return said(robot).startsWith("emergency stop: "); })) << said(robot).toStdString();
+}
+
+/// A window of a fleet whose robots the test lists, each by its name: none of them is there.
+class FleetOfNames : public ::testing::Test {
+ protected:
+  void list(const std::vector<std::string>& robots) {
+    FleetStopStatus status;
+    for (const std::string& robot : robots) status.reached.push_back("/" + robot + "/emergency_stop");
+    list_.publish(status);
+  }
+
+  ros::NodeHandle node_{"names"};
+  ros::Publisher list_ = node_.advertise<FleetStopStatus>("fleet/stop_status", 1, true);
+  FleetBridge bridge_{node_, teleop::TeleopParameters(), [] { return ros::ok(); }};
+};
+
+// [GUI-3] [FLT-1]
+TEST_F(FleetOfNames, WatchesANewRobotHoweverManyThereWereBefore) {
+  std::vector<std::string> robots;
+  for (int i = 0; i < 50; ++i) robots.push_back("visitor" + std::to_string(i));
+  list(robots);
+  EXPECT_TRUE(waitFor([] { return listensTo("/visitor49/cmd_vel_arbiter/status"); }));
+  list({"visitor7"});
+  EXPECT_TRUE(waitFor([&] { return bridge_.fleet().robots.size() == 1; }));
+  EXPECT_TRUE(listensTo("/visitor0/cmd_vel_arbiter/status")) << "it may come back";
+  list({"visitor7", "another"});
+  EXPECT_TRUE(waitFor([] { return listensTo("/another/cmd_vel_arbiter/status"); }));
+  EXPECT_TRUE(listensTo("/visitor7/cmd_vel_arbiter/status"));
+  EXPECT_FALSE(listensTo("/visitor0/cmd_vel_arbiter/status"));
+  EXPECT_TRUE(waitFor([&] { return bridge_.fleet().robots.size() == 2; }));
+  for (const auto& robot : bridge_.fleet().robots)
+    EXPECT_EQ(robot.text.find("not watched"), std::string::npos) << robot.name;
 }
 
 }  // namespace

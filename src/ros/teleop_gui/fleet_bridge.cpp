@@ -2,6 +2,7 @@
 
 #include <ros/init.h>
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -90,10 +91,31 @@ void FleetBridge::handleStopStatus(const FleetStopStatus& msg) {
       if (service.size() <= bounds::kMostName && isServiceName(service)) listed[robotOf(service)] = reached;
     }
   }
+  makeRoom(listed);
   for (const auto& [name, reached] : listed) listenTo(name);
   const std::lock_guard<std::mutex> lock(mutex_);
   listed_ = std::move(listed);
   listed_at_ = steadyNow();
+}
+
+/// fleet_stop lists a robot until an hour after it was seen last. As long as there is room the window goes on listening
+/// to those that it lists no more, also because a fleet_stop that has just been started lists few.
+void FleetBridge::makeRoom(const std::map<std::string, bool>& listed) {
+  const auto is_new = [this](const auto& robot) { return topics_.count(robot.first) == 0; };
+  const auto more = static_cast<std::size_t>(std::count_if(listed.begin(), listed.end(), is_new));
+  if (topics_.size() + more <= kMostRobots) return;
+  for (auto robot = topics_.begin(); robot != topics_.end();) {
+    if (listed.count(robot->first) > 0) {
+      ++robot;
+      continue;
+    }
+    for (ros::Subscriber& topic : robot->second) topic.shutdown();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      heard_.erase(robot->first);
+    }
+    robot = topics_.erase(robot);
+  }
 }
 
 void FleetBridge::listenTo(const std::string& name) {
@@ -108,12 +130,12 @@ void FleetBridge::listenTo(const std::string& name) {
 
 template <class Msg>
 void FleetBridge::keep(const std::string& name, const std::string& topic, Latest<Msg> Robot::*latest) {
-  const std::string whole = absolute(name, topic);
-  connections_.subscribe<Msg>(whole, 1, [this, name, latest](const Msg& msg) {
+  const auto handle = [this, name, latest](const Msg& msg) {
     if (!isShown(msg)) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     (heard_[name].*latest).put(msg, steadyNow());
-  });
+  };
+  topics_[name].push_back(connections_.subscribe<Msg>(absolute(name, topic), 1, handle));
 }
 
 teleop::RobotView FleetBridge::viewOf(const std::string& name, bool reached, SteadyTime now) const {

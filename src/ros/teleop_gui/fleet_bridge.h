@@ -4,6 +4,7 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+#include <ros/subscriber.h>
 
 #include <deque>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
@@ -53,6 +55,7 @@ class FleetBridge : public teleop::FleetLink {
   };
 
   void handleStopStatus(const FleetStopStatus& msg);
+  void makeRoom(const std::map<std::string, bool>& listed);
   void listenTo(const std::string& name);
   template <class Msg>
   void keep(const std::string& name, const std::string& topic, Latest<Msg> Robot::*latest);
@@ -64,7 +67,7 @@ class FleetBridge : public teleop::FleetLink {
   const teleop::TeleopParameters parameters_;
   const std::function<bool()> running_;
   std::mutex mutex_;                    ///< guards what follows, up to answered_at_
-  std::map<std::string, Robot> heard_;  ///< all that were ever listed
+  std::map<std::string, Robot> heard_;  ///< all that were ever listed, as long as there is room
   std::map<std::string, bool> listed_;  ///< those that are, and whether a stop of the fleet reaches them
   std::optional<SteadyTime> listed_at_;
   teleop::FleetStopView stop_;
@@ -75,6 +78,7 @@ class FleetBridge : public teleop::FleetLink {
   ServiceCaller stop_caller_, robot_stop_caller_;
   ServiceWatch watch_;
   NodeConnections connections_;
+  std::map<std::string, std::vector<ros::Subscriber>> topics_;  ///< by robot; for the thread of what they say
   ros::AsyncSpinner spinner_;
   // What follows is for the window's thread.
   std::deque<Retired> retired_;  ///< the oldest first
