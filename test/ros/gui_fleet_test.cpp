@@ -17,6 +17,9 @@
 
 #include "gui/controls.h"
 #include "gui/fleet_window.h"
+#include "ros/common/master/ros_sessions.h"
+#include "ros/common/memory/disk.h"
+#include "ros/common/memory/session_memory.h"
 #include "ros/gui_window.h"
 #include "ros/teleop_gui/fleet_bridge.h"
 
@@ -162,6 +165,17 @@ TEST_F(FleetOfNames, WatchesANewRobotHoweverManyThereWereBefore) {
   EXPECT_TRUE(waitFor([&] { return bridge_.fleet().robots.size() == 2; }));
   for (const auto& robot : bridge_.fleet().robots)
     EXPECT_EQ(robot.text.find("not watched"), std::string::npos) << robot.name;
+}
+
+// [FLT-2]
+TEST_F(FleetOfNames, KeepsTheParametersOfItsProcessWhenTheViewOfARobotIsClosed) {
+  constexpr auto kKind = SessionMemory::Owner::kLastingNode;
+  const SessionMemory memory({}, rosSessions(), "parameters", ros::this_node::getName(), kKind, spareFolder());
+  const auto kept = [&] { return memory.recall().value_or("nothing"); };
+  const std::string before = kept();
+  EXPECT_NE(before.find("gui_fleet"), std::string::npos) << before;
+  bridge_.openOwn().link.reset();
+  EXPECT_EQ(kept(), before);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ constexpr std::size_t kOften =
 
 MasterWatch::MasterWatch(Duration period) : period_(period), last_answer_(steadyNow()) {
   claimService(ros::this_node::getName() + "/set_logger_level");  // roscpp's own
-  session_.add([this](const auto& sessions) { parameters_.enter(sessions); });
+  session_.add([this](const auto& sessions) { parameters_->enter(sessions); });
   thread_ = std::thread(&MasterWatch::run, this);
 }
 
@@ -70,8 +70,8 @@ void MasterWatch::sendParameters() {
     const std::lock_guard<std::mutex> lock(mutex_);
     changed.swap(new_parameters_);
   }
-  for (const auto& [name, value] : changed) parameters_.change(name, value);
-  parameters_.sendChanges();
+  for (const auto& [name, value] : changed) parameters_->change(name, value);
+  parameters_->sendChanges();
 }
 
 void MasterWatch::run() {
@@ -200,7 +200,7 @@ void MasterWatch::sayWhatWasRenewed() {
   const std::string more = renewed.size() > 1 ? " and " + std::to_string(renewed.size() - 1) + " more" : "";
   THROTTLED_ERROR("the master had forgotten this node: registered again as " << renewed.front() << more);
   for (const std::string& what : renewed) remembered_[what] = steadyNow();
-  if (parameters_.restore()) THROTTLED_WARN("the master had lost the parameters of this node: they are set again");
+  if (parameters_->restore()) THROTTLED_WARN("the master had lost the parameters of this node: they are set again");
   session_.renew();
 }
 

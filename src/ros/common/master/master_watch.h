@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -141,7 +142,7 @@ class MasterWatch {
   std::size_t next_service_ = 0;                          ///< index of the service whose address is checked next
   std::map<std::string, std::deque<SteadyTime>> losses_;  ///< by service: when it was missing in the last ten seconds
   LostConnections connections_;
-  OwnParameters parameters_;
+  std::shared_ptr<OwnParameters> parameters_ = sharedParameters();
   std::map<std::string, SteadyTime> remembered_;
   std::thread thread_;  ///< started when all others are constructed
 };

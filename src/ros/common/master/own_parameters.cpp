@@ -122,23 +122,38 @@ void OwnParameters::keep() {
 }
 
 void OwnParameters::change(const std::string& name, const XmlRpcValue& value) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   setIn(private_, name, value);
   unsent_.insert(name);
   keep();
 }
 
 void OwnParameters::enter(const std::vector<std::string>& sessions) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (memory_.enter(sessions)) keep();
 }
 
-bool OwnParameters::restore() { return restoreBoth(private_, use_sim_time_, Missing::kNone); }
+bool OwnParameters::restore() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return restoreBoth(private_, use_sim_time_, Missing::kNone);
+}
 
 void OwnParameters::sendChanges() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   for (auto name = unsent_.begin(); name != unsent_.end();) {
     const XmlRpcValue* value = find(private_, *name);
     if (value != nullptr && !set(ros::this_node::getName() + "/" + *name, *value)) return;
     name = unsent_.erase(name);
   }
+}
+
+std::shared_ptr<OwnParameters> sharedParameters() {
+  static std::mutex mutex;
+  static std::weak_ptr<OwnParameters> shared;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<OwnParameters> parameters = shared.lock();
+  if (!parameters) shared = parameters = std::make_shared<OwnParameters>();
+  return parameters;
 }
 
 void followThePredecessor(bool is_of_roslaunch) {

@@ -2,9 +2,11 @@
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include <map>
+#include <memory>
+#include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "ros/common/memory/session_memory.h"
 
@@ -13,7 +15,7 @@ namespace frontier_pilot {
 /// The parameters that this node was started with, and those that were changed since, for a master that was restarted
 /// and has lost them: a node that is started again there would otherwise use its defaults, for example the limits of
 /// another robot. They are kept beyond the death of the node, too, in a file in memory, for the process that is started
-/// in its place.
+/// in its place. Safe to use from several threads.
 class OwnParameters {
  public:
   /// Reads the node's private namespace, and `/use_sim_time`.
@@ -41,7 +43,11 @@ class OwnParameters {
   XmlRpc::XmlRpcValue private_, use_sim_time_;  ///< invalid where there was no such parameter
   std::set<std::string> unsent_;                ///< names of changed ones in the private namespace
   SessionMemory memory_;
+  std::mutex mutex_;  ///< guards all that precede
 };
+
+/// Those of this process, which end with the last that holds them: several would write the same file.
+std::shared_ptr<OwnParameters> sharedParameters();
 
 /// Looks for the process that died and in whose place this one was started. If the master that it knew has been
 /// replaced, and roslaunch started both, the parameters that the new master lacks are set as that process had them; by
