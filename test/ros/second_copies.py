@@ -14,8 +14,8 @@ from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from frontier_pilot.msg import ExplorerStatus
 from geometry_msgs.msg import Twist
 from move_base_msgs.msg import MoveBaseActionGoal
-from nav_msgs.msg import OccupancyGrid
-from std_msgs.msg import Bool
+from nav_msgs.msg import MapMetaData, OccupancyGrid
+from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool, Trigger
 from tf2_msgs.msg import TFMessage
 
@@ -97,6 +97,23 @@ class SecondCopies(unittest.TestCase):
         localized.items.clear()
         other.unregister()
         self.assertTrue(wait_for(lambda: says_where() and localized.last is not None and localized.last.data), '[MAP-3]')
+
+    # [MAP-3] [NAV-1]
+    def test_a_mapper_that_has_only_kept_silent_beside_another_map_ends_no_goal_on_that_one(self):
+        replaced = Record('mapper/replaced', String)
+        self.addCleanup(replaced.subscriber.unregister)
+        other = rospy.Publisher('map', OccupancyGrid, queue_size=1)
+        mapper = self.start('mapper')
+        self.assertTrue(wait_for(lambda: 'this mapper keeps silent' in mapper.said()))
+        self.assertTrue(wait_for(lambda: replaced.subscriber.get_num_connections() > 0))
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        owned = Record('map_metadata', MapMetaData)
+        self.addCleanup(owned.subscriber.unregister)
+        other.unregister()
+        self.assertTrue(wait_for(lambda: owned.subscriber.get_num_connections() > 0))
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        self.assertTrue(wait_for(lambda: replaced.items))
+        self.assertEqual(len(replaced.items), 1, 'only that of its own map [MAP-3]')
 
     # [ARB-8] [FLT-2]
     def test_a_stop_is_not_cleared_by_an_arbiter_that_has_not_heard_yet_who_asks_for_motion(self):

@@ -18,7 +18,7 @@ MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame,
                                  const mapping::MapScheduleParameters& schedule)
     : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {
   replaced_ = node_.advertise<std_msgs::String>(names::kMapReplaced, 10);
-  advertiseLocalized();  // long before the map, so that who reads both is connected to it by then
+  advertiseLocalized();  // long before the map, so that whoever reads both is connected by then
 }
 
 void MapperPublisher::advertiseLocalized() { localized_ = node_.advertise<std_msgs::Bool>(names::kLocalized, 1, true); }
@@ -45,13 +45,13 @@ void MapperPublisher::advertise() {
   map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, note, {}, {}, true);
   updates_ = node_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
   metadata_ = node_.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true);
-  advertised_ = true;
+  advertised_ = has_owned_ = true;
 }
 
 void MapperPublisher::withdraw() {
   localized_.shutdown();
   found_at_.reset();
-  said_localized_ = false;  // until its own transforms hold again, those of the other may be looked up
+  said_localized_ = false;  // until its own transforms are in force again, a lookup may still return the other node's
   said_at_ = {};
   if (!advertised_) return;
   map_.shutdown();
@@ -73,6 +73,7 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
 }
 
 void MapperPublisher::announceReplacement(const std::string& why) {
+  if (!other_.empty() && !has_owned_) return;
   std_msgs::String msg;
   msg.data = why;
   replaced_.publish(msg);

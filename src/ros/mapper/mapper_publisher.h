@@ -31,7 +31,7 @@ class MapperPublisher {
 
   void publish(mapping::Mapper& mapper, Time now);
   /// Publishes on `mapper/replaced` that another map is there now, and why: what was meant for the map of before, such
-  /// as a goal, is void.
+  /// as a goal, is void. Not if another node publishes the map and this one never has: nothing was meant for its map.
   void announceReplacement(const std::string& why);
   /// Publishes on `mapper/localized` that the robot is not found on the map: when that is new, and once a second, so
   /// that what somebody else has said there does not stay. [MAP-5]
@@ -54,6 +54,7 @@ class MapperPublisher {
   mapping::MapSchedule schedule_;
   std::string other_;
   bool advertised_ = false;
+  bool has_owned_ = false;  ///< ever
   ros::Publisher map_;
   ros::Publisher updates_;
   ros::Publisher metadata_;
