@@ -50,7 +50,7 @@ constexpr std::array kReasonTexts = {
     "the emergency stop is latched",
     "the robot is not localised on the map",
     "the navigation is disabled at the arbiter",
-    "the navigation cannot drive",
+    "the navigation gave the goal up",
 };
 static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kNavigationUnable) + 1);
 

@@ -6,9 +6,9 @@
 namespace frontier_pilot::navigation {
 namespace {
 
-constexpr std::array kUnableToDrive = {NavReason::kNoMap,        NavReason::kNoPose,      NavReason::kNoScan,
-                                       NavReason::kNotLocalized, NavReason::kClockJumped, NavReason::kInternalError,
-                                       NavReason::kMapReplaced};
+constexpr std::array kNoFaultOfTheGoal = {NavReason::kNoMap,        NavReason::kNoPose,      NavReason::kNoScan,
+                                          NavReason::kNotLocalized, NavReason::kClockJumped, NavReason::kInternalError,
+                                          NavReason::kMapReplaced};
 
 }  // namespace
 
@@ -80,12 +80,12 @@ const char* toString(NavReason reason) {
   return "unknown";
 }
 
-bool isUnableToDrive(NavReason reason) {
-  return std::find(kUnableToDrive.begin(), kUnableToDrive.end(), reason) != kUnableToDrive.end();
+bool isNoFaultOfTheGoal(NavReason reason) {
+  return std::find(kNoFaultOfTheGoal.begin(), kNoFaultOfTheGoal.end(), reason) != kNoFaultOfTheGoal.end();
 }
 
-bool isUnableToDrive(const std::string& text) {
-  return std::any_of(kUnableToDrive.begin(), kUnableToDrive.end(),
+bool isNoFaultOfTheGoal(const std::string& text) {
+  return std::any_of(kNoFaultOfTheGoal.begin(), kNoFaultOfTheGoal.end(),
                      [&text](NavReason reason) { return text == toString(reason); });
 }
 

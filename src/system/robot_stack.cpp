@@ -16,7 +16,7 @@ exploration::GoalEvent::Kind eventKind(const navigation::NavFinished& finished) 
   using Kind = exploration::GoalEvent::Kind;
   if (finished.result == navigation::NavResult::kSucceeded) return Kind::kReached;
   if (finished.result != navigation::NavResult::kAborted) return Kind::kPreempted;
-  return isUnableToDrive(finished.reason) ? Kind::kUnable : Kind::kAborted;
+  return isNoFaultOfTheGoal(finished.reason) ? Kind::kUnable : Kind::kAborted;
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::optional<WaypointOutput> WaypointFollower::take(const LegEnd& ended) {
       return end(WaypointOutcome::kReplaced, "aborted: the goal of " + inWords(current_) + " ended: " + ended.text);
     case LegEnd::Kind::kUnable:
       return end(WaypointOutcome::kNavigationUnable,
-                 "aborted: on the way to " + inWords(current_) + " the navigation could not drive: " + ended.text);
+                 "aborted: on the way to " + inWords(current_) + " the navigation gave the goal up: " + ended.text);
     case LegEnd::Kind::kFailed:
       if (auto output = miss(ended.text)) return output;
       break;

@@ -37,7 +37,7 @@ enum class WaypointOutcome {
   kEmergencyStop,
   kNavigationGone,
   kReplaced,          ///< another client sent a goal, or cancelled that of a waypoint
-  kNavigationUnable,  ///< the navigation could drive nowhere, for example because the robot was not localised
+  kNavigationUnable,  ///< the navigation gave a goal up for no fault of the place, e.g. as not localised
   kWaypointMissed,
 };
 
@@ -47,7 +47,7 @@ struct LegEnd {
     kReached,
     kFailed,
     kReplaced,
-    kUnable,  ///< the navigation could drive nowhere: no fault of the place
+    kUnable,  ///< the navigation gave it up for no fault of the place
     kLost,    ///< the server died: the goal is sent again
   };
   std::uint32_t leg = 0;  ///< as in WaypointOutput::send

@@ -92,7 +92,7 @@ struct Teammate {
 
 /// How a goal ended, as reported by the navigation.
 struct GoalEvent {
-  /// kUnable: the navigation could drive nowhere, for example without a scan, which is no fault of the goal. [EXP-8]
+  /// kUnable: the navigation gave it up for no fault of the goal, for example without a scan. [EXP-8]
   enum class Kind { kReached, kAborted, kRejected, kPreempted, kUnable };
   std::uint32_t goal_id = 0;  ///< of the command that sent it; events of older goals are ignored
   Kind kind = Kind::kReached;

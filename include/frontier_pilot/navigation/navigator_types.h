@@ -87,11 +87,11 @@ enum class NavReason {
 };
 /// The text of results and status, e.g. "goal occupied".
 const char* toString(NavReason reason);
-/// Whether a goal that ended so could have been any other: the navigator lacked what it needs to drive anywhere, for
-/// example a scan, or the map of all goals was replaced.
-bool isUnableToDrive(NavReason reason);
+/// Whether any other goal would have ended in the same way: the navigator lacked something that it needs to drive at
+/// all, such as a scan, or the map was replaced.
+bool isNoFaultOfTheGoal(NavReason reason);
 /// The same by the text of a result.
-bool isUnableToDrive(const std::string& text);
+bool isNoFaultOfTheGoal(const std::string& text);
 
 enum class NavResult { kSucceeded, kPreempted, kCanceled, kAborted };
 const char* toString(NavResult result);

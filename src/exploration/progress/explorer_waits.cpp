@@ -88,8 +88,8 @@ void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time no
   }
 }
 
-/// A goal that the navigation could not drive to for want of a scan or the like has not failed: no other one would
-/// fare better. [EXP-8]
+/// A goal that the navigation gave up for no fault of the goal has not failed: any other would have ended in the same
+/// way. [EXP-8]
 void Explorer::Impl::standUntilItCanDrive(const std::string& what, Time now) {
   const std::string text = std::string(toString(ExplorerReason::kNavigationUnable)) + ": " + what;
   note(true, "exploration waits for the navigation: " + what);

@@ -20,8 +20,8 @@ exploration::GoalEvent::Kind kindOf(const actionlib::TerminalState& state) {
     case State::RECALLED:
       return exploration::GoalEvent::Kind::kPreempted;
     default:
-      return navigation::isUnableToDrive(state.getText()) ? exploration::GoalEvent::Kind::kUnable
-                                                          : exploration::GoalEvent::Kind::kAborted;
+      return navigation::isNoFaultOfTheGoal(state.getText()) ? exploration::GoalEvent::Kind::kUnable
+                                                             : exploration::GoalEvent::Kind::kAborted;
   }
 }
 

@@ -18,7 +18,7 @@ waypoints::LegEnd::Kind kindOf(const actionlib::TerminalState& state) {
     case State::LOST:
       return Kind::kLost;
     default:
-      return navigation::isUnableToDrive(state.getText()) ? Kind::kUnable : Kind::kFailed;
+      return navigation::isNoFaultOfTheGoal(state.getText()) ? Kind::kUnable : Kind::kFailed;
   }
 }
 

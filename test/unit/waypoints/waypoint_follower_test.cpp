@@ -124,7 +124,7 @@ TEST_F(Waypoints, EndWithANavigationThatCanDriveNowhere) {
   const WaypointOutput output = ends(LegEnd::Kind::kUnable, "not localised");
   EXPECT_TRUE(output.ended);
   EXPECT_EQ(output.outcome, WaypointOutcome::kNavigationUnable);
-  EXPECT_EQ(output.text, "aborted: on the way to waypoint 1 of 3 the navigation could not drive: not localised");
+  EXPECT_EQ(output.text, "aborted: on the way to waypoint 1 of 3 the navigation gave the goal up: not localised");
   EXPECT_TRUE(follower_.missed().empty()) << "the place is not the cause";
   EXPECT_FALSE(update().send) << "nothing goes on when it can drive again";
 }
