@@ -85,6 +85,7 @@ enum class NavReason {
   kInternalError,
   kMapReplaced,
 };
+constexpr NavReason kLastNavReason = NavReason::kMapReplaced;
 /// The text of results and status, e.g. "goal occupied".
 const char* toString(NavReason reason);
 /// Whether any other goal would have ended in the same way: the navigator lacked something that it needs to drive at

@@ -43,9 +43,8 @@ void expectExplained(const std::vector<std::string>& texts) {
 }
 
 TEST(Troubleshooting, ExplainsEachReasonWithWhichANavigationEnds) {
-  expectExplained(badTexts(
-      navigation::NavReason::kInternalError,
-      {"no goal", "on the way", "turning to the goal's direction", "goal reached", "gives way to another robot"}));
+  expectExplained(badTexts(navigation::kLastNavReason, {"no goal", "on the way", "turning to the goal's direction",
+                                                        "goal reached", "gives way to another robot"}));
 }
 
 TEST(Troubleshooting, ExplainsEachReasonWithWhichAnExplorationWaitsOrEnds) {
@@ -70,7 +69,8 @@ TEST(Troubleshooting, ExplainsEachReasonWithWhichAnExplorationWaitsOrEnds) {
 }
 
 TEST(Troubleshooting, ExplainsEachReasonForWhichAScanIsDropped) {
-  expectExplained(badTexts(mapping::ScanVerdict::kNotLocated, {"inserted", "localised", "not moved"}));
+  const auto last = static_cast<mapping::ScanVerdict>(mapping::kScanVerdicts - 1);
+  expectExplained(badTexts(last, {"inserted", "localised", "not moved"}));
 }
 
 }  // namespace
