@@ -25,7 +25,8 @@ std::string draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   // cell more on each side, because of rounding.
   const CellRect box = knownCells(image).grown(1);
   const Vec2 low = from.centre({box.x, box.y}), high = from.centre({box.x + box.width - 1, box.y + box.height - 1});
-  if (!map.reserve(low, high)) return map.describe(map.roomAt(low, high));
+  const occupancy::MapRoom room = map.reserve(low, high);
+  if (room != occupancy::MapRoom::kEnough) return map.describe(room);
   // One shift in whole cells for all: converting each centre would round those near a border between cells either way.
   const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
   const auto dx = static_cast<int>(std::lround(shift.x()));
@@ -40,7 +41,7 @@ std::string draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
       if (isFree(image[k])) map.miss(cell);
     }
   }
-  return map.isFull() ? "needs more than max_memory of the map" : "";
+  return map.describe(map.isFull() ? occupancy::MapRoom::kNoMemory : occupancy::MapRoom::kEnough);
 }
 
 }  // namespace frontier_pilot::map_files

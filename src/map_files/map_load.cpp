@@ -50,10 +50,11 @@ MapIoResult loadPicture(const std::string& yaml_path, const std::string& picture
     const bool same = std::abs(image.map.resolution() - resolution) <= kSame;
     const std::optional<OccupancyGrid> fitting = same ? std::nullopt : resampled(image.map, resolution);
     occupancy::OccupancyMap drawn(map.parameters());
-    std::string problem = "is too large";
+    const std::string too_large = map.describe(occupancy::MapRoom::kTooLarge);
+    std::string problem = too_large;
     if (same || fitting) problem = draw(same ? image.map : *fitting, drawn);
     if (problem.empty() && drawn.isBlank()) problem = "its image holds no known cell";
-    if (problem.empty() && !map.exchange(drawn)) problem = "is too large";
+    if (problem.empty() && !map.exchange(drawn)) problem = too_large;
     if (!problem.empty()) return failure(MapIoStatus::kBroken, yaml_path, problem);
     if (!same) change = "; its cells of " + inMetres(image.map.resolution()) + " have become " + inMetres(resolution);
   } catch (const std::runtime_error& error) {

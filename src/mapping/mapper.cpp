@@ -88,10 +88,10 @@ ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pos
 }
 
 ScanVerdict Mapper::Impl::put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base) {
-  const ScanVerdict verdict = verdictOf(inserter.insert(scan, T_map_base, map));
-  if (verdict == ScanVerdict::kOutOfBounds || verdict == ScanVerdict::kTooFar) ++out_of_bounds;
-  if (working && verdict == ScanVerdict::kInserted) meanwhile.push_back({scan, T_map_base});
-  return verdict;
+  const occupancy::Insertion insertion = inserter.insert(scan, T_map_base, map);
+  if (lacksRoom(insertion)) ++out_of_bounds;
+  if (working && insertion == occupancy::Insertion::kInserted) meanwhile.push_back({scan, T_map_base});
+  return verdictOf(insertion);
 }
 
 slam::RevisionWork Mapper::takeWork() {

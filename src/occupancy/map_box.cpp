@@ -24,15 +24,11 @@ CellRect OccupancyMap::needed(const Vec2& low, const Vec2& high) const {
   return cells;
 }
 
-MapRoom OccupancyMap::roomAt(const Vec2& low, const Vec2& high) const {
+MapRoom OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
   // Far beyond any map, so that what follows cannot overflow; the comparison is also false for NaN.
   constexpr double kFar = 1e6;  // [m]
   const bool near = low.cwiseAbs().maxCoeff() < kFar && high.cwiseAbs().maxCoeff() < kFar;
-  return near ? roomAt(snapped(needed(low, high))) : MapRoom::kTooFar;
-}
-
-bool OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
-  return roomAt(low, high) == MapRoom::kEnough && reserveCells(needed(low, high));
+  return near ? reserveCells(needed(low, high)) : MapRoom::kTooFar;
 }
 
 CellRect OccupancyMap::snapped(const CellRect& cells) const {
@@ -52,17 +48,18 @@ MapRoom OccupancyMap::roomAt(const CellRect& cells) const {
 std::string OccupancyMap::describe(MapRoom room) const {
   if (room == MapRoom::kEnough) return {};
   if (room == MapRoom::kTooLarge) return "is too large, see docs/limits.md";
+  if (room == MapRoom::kNoMemory) return "needs more than max_memory of the map";
   std::ostringstream text;
   text << "lies farther than " << kOctreeHalfSide * parameters_.resolution << " m from the frame's origin";
   return text.str();
 }
 
-bool OccupancyMap::reserveCells(const CellRect& cells) {
-  if (cells == extent_) return true;
+MapRoom OccupancyMap::reserveCells(const CellRect& cells) {
+  if (cells == extent_) return MapRoom::kEnough;
   const CellRect grown = snapped(cells);
-  if (roomAt(grown) != MapRoom::kEnough) return false;
-  resize(grown);
-  return true;
+  const MapRoom room = roomAt(grown);
+  if (room == MapRoom::kEnough) resize(grown);
+  return room;
 }
 
 void OccupancyMap::resize(const CellRect& cells) {

@@ -160,7 +160,7 @@ CellRect OccupancyMap::changedFrom(const OccupancyMap& other) const {
 bool OccupancyMap::exchange(OccupancyMap& other) {
   CellRect cells = kept();
   cells.include(other.extent_);
-  if (!other.reserveCells(cells)) return false;
+  if (other.reserveCells(cells) != MapRoom::kEnough) return false;
   const bool grown = changes_.geometry_changed || other.geometry() != geometry();
   const CellRect differing = other.geometry() != geometry() ? other.geometry().rect() : changedFrom(other);
   CellRect changed = grown ? other.geometry().rect() : changes_.cells;
@@ -204,8 +204,8 @@ bool OccupancyMap::read(const std::string& bytes, std::string& why) {
   // An octree without cells at the scanner's height is from another robot, and must not replace the map.
   if (cells.empty()) return why = "holds nothing at the scanner's height", false;
   OccupancyMap loaded(parameters_);
-  why = describe(roomAt(snapped(cells)));
-  if (!loaded.reserveCells(cells)) return false;
+  why = describe(loaded.reserveCells(cells));
+  if (!why.empty()) return false;
   leaves.forEach([&](const CellRect& leaf, bool occupied) {
     for (int y = leaf.y; y < leaf.y + leaf.height && !loaded.full_; ++y) {
       for (int x = leaf.x; x < leaf.x + leaf.width && !loaded.full_; ++x) {
@@ -213,7 +213,7 @@ bool OccupancyMap::read(const std::string& bytes, std::string& why) {
       }
     }
   });
-  if (loaded.full_) return why = "needs more than max_memory of the map", false;
+  if (loaded.full_) return why = describe(MapRoom::kNoMemory), false;
   why = describe(MapRoom::kTooLarge);
   return exchange(loaded);
 }

@@ -82,7 +82,7 @@ MapRoom ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const 
     low = low.cwiseMin(ray.from).cwiseMin(ray.clear_to).cwiseMin(hit);
     high = high.cwiseMax(ray.from).cwiseMax(ray.clear_to).cwiseMax(hit);
   }
-  return map.reserve(low, high) ? MapRoom::kEnough : map.roomAt(low, high);
+  return map.reserve(low, high);
 }
 
 void ScanInserter::markHits(OccupancyMap& map) const {

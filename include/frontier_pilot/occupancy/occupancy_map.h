@@ -27,11 +27,12 @@ struct LogOddsModel {
   float clamp(float log_odds) const { return std::min(std::max(log_odds, min), max); }
 };
 
-/// Whether a map can cover a box.
+/// Whether a map has room for what is to be put into it.
 enum class MapRoom {
   kEnough,
-  kTooLarge,  ///< it would be wider or higher than it may be
+  kTooLarge,  ///< the map would be wider or higher than it may be
   kTooFar,    ///< the box lies farther from the frame's origin than a map reaches, that is 32768 cells
+  kNoMemory,  ///< its cells need more than `max_memory`
 };
 
 /// What has changed since the changes were last taken.
@@ -76,12 +77,10 @@ class OccupancyMap {
   /// Whether cells were left out, since the map was last cleared, because `max_memory` is used up.
   bool isFull() const { return full_; }
 
-  /// Whether the map can grow so that the box `low`-`high` [m] is inside.
-  MapRoom roomAt(const Vec2& low, const Vec2& high) const;
-  /// What is wrong with a box for which there is such room, as the end of a sentence; empty if nothing is.
+  /// Grows so that the box `low`-`high` [m] is inside; does nothing if there is no room for it.
+  MapRoom reserve(const Vec2& low, const Vec2& high);
+  /// Why it does not fit, as the end of a sentence; empty if it fits.
   std::string describe(MapRoom room) const;
-  /// Grows so that the box `low`-`high` [m] is inside. Returns false, and does nothing, if there is no room for it.
-  bool reserve(const Vec2& low, const Vec2& high);
 
   /// Begins a scan, which updates each cell at most once: report hits before misses, so that hits take precedence.
   void beginScan();
@@ -159,7 +158,7 @@ class OccupancyMap {
   /// The block of whole growth steps around `cells`; `cells` themselves if that would be too large.
   CellRect snapped(const CellRect& cells) const;
   MapRoom roomAt(const CellRect& cells) const;
-  bool reserveCells(const CellRect& cells);
+  MapRoom reserveCells(const CellRect& cells);
   void resize(const CellRect& cells);
 
   OccupancyMapParameters parameters_;

@@ -18,6 +18,10 @@ enum class Insertion {
   kOutOfBounds,  ///< the map would have to grow beyond its largest size
   kTooFar,       ///< farther from the frame's origin than a map reaches
 };
+/// Whether the scan was left out because the map has no room for it.
+inline bool lacksRoom(Insertion insertion) {
+  return insertion == Insertion::kOutOfBounds || insertion == Insertion::kTooFar;
+}
 
 /// Inserts scans into a map. A measured surface may lie on the border of a cell, and noise moves it to either side: so
 /// the hit goes half a cell behind it, and the cells before it are cleared up to a margin. Both distances are measured

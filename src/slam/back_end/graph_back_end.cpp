@@ -92,11 +92,9 @@ void GraphBackEnd::render(MapRevision& revision) {
   }
   replaced_ = rendered_;
   inserter_.forgetLoneReturns();
-  using occupancy::Insertion;
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     rendered_[i] = graph_.T_map_keyframe(i);
-    const Insertion insertion = inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map);
-    if (insertion == Insertion::kOutOfBounds || insertion == Insertion::kTooFar) ++revision.left_out;
+    if (lacksRoom(inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map))) ++revision.left_out;
   }
   rendered_count_ = rendered_.size();
   moved_ = false;

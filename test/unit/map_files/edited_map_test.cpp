@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 class EditedMap : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(map.reserve({0.0, 0.0}, {1.0, 1.0}));
+    ASSERT_EQ(map.reserve({0.0, 0.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
     map.beginScan();
     for (int x = 5; x < 15; ++x) map.miss({x, 10});
     map.hit(kWall);

@@ -52,7 +52,7 @@ class InterruptedSave : public ::testing::Test {
   void TearDown() override { renames_left = kAll; }
 
   static void drawFloor(occupancy::OccupancyMap& map) {
-    ASSERT_TRUE(map.reserve({0.0, 0.0}, {1.0, 1.0}));
+    ASSERT_EQ(map.reserve({0.0, 0.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
     map.beginScan();
     for (int x = 5; x < 15; ++x) map.miss({x, 10});
     map.hit({12, 12});

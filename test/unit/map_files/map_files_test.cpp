@@ -21,7 +21,7 @@ class MapFiles : public ::testing::Test {
  protected:
   void SetUp() override {
     fs::create_directory(directory / "maps");
-    ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+    ASSERT_EQ(map.reserve({-3.0, -1.0}, {2.0, 11.0}), occupancy::MapRoom::kEnough);
     map.beginScan();
     for (int i = 0; i < 100; ++i) map.miss({10 + i, 20 + i / 2});
     for (int i = 0; i < 50; ++i) map.hit({17, 100 + i});
@@ -45,7 +45,7 @@ class MapFiles : public ::testing::Test {
   map_files::MapIoResult load(const std::string& bytes) {
     write("other.bt", bytes);
     occupancy::OccupancyMap loaded = occupancy::OccupancyMap();
-    EXPECT_TRUE(loaded.reserve({0.0, 0.0}, {1.0, 1.0}));
+    EXPECT_EQ(loaded.reserve({0.0, 0.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
     loaded.beginScan();
     loaded.hit({3, 3});
     const auto before = loaded.grid().cells();

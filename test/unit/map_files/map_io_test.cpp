@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 class MapIo : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+    ASSERT_EQ(map.reserve({-3.0, -1.0}, {2.0, 11.0}), occupancy::MapRoom::kEnough);
     map.beginScan();
     for (int i = 0; i < 100; ++i) map.miss({10 + i, 20 + i / 2});
     for (int i = 0; i < 50; ++i) map.hit({17, 100 + i});
@@ -263,7 +263,7 @@ TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
   occupancy::OccupancyMapParameters coarse;
   coarse.resolution = 0.1;
   occupancy::OccupancyMap other(coarse);
-  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  ASSERT_EQ(other.reserve({0.0, 0.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
   other.beginScan();
   other.hit({3, 3});
   ASSERT_TRUE(map_files::saveMap(other, path("coarse")).ok());
@@ -280,7 +280,7 @@ TEST_F(MapIo, KeepsTheMapWhenTheOtherIsOfAnotherHeight_MAP_5) {
   occupancy::OccupancyMapParameters high;
   high.scanner_height += 0.5;
   occupancy::OccupancyMap other(high);
-  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  ASSERT_EQ(other.reserve({0.0, 0.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
   other.beginScan();
   other.hit({3, 3});
   ASSERT_TRUE(map_files::saveMap(other, path("high")).ok());

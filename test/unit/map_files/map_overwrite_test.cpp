@@ -53,7 +53,7 @@ class Arrivals {
 class MapOverwriting : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+    ASSERT_EQ(map.reserve({-3.0, -1.0}, {2.0, 11.0}), occupancy::MapRoom::kEnough);
     drawWall(17);
     ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
     drawWall(30);
@@ -133,7 +133,7 @@ TEST(MapOverwrite, LeavesOneMapWholeWhenTwoAreSavedAtTheSameMoment_FLT_1) {
   const std::string path = (folder.path() / "floor").string();
   const auto save = [&](int length, int times) {
     occupancy::OccupancyMap map;
-    ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+    ASSERT_EQ(map.reserve({-3.0, -1.0}, {2.0, 11.0}), occupancy::MapRoom::kEnough);
     map.beginScan();
     for (int i = 0; i < length; ++i) map.hit({17, 100 + i});
     for (int i = 0; i < times; ++i) EXPECT_TRUE(map_files::saveMap(map, path).ok());

@@ -10,7 +10,7 @@ namespace frontier_pilot::test {
 /// A map of `world`, drawn with cells of 0.2 m, in the mapper's cells; it begins where the world does.
 inline occupancy::OccupancyMap knownMapOf(const AsciiWorld& world) {
   occupancy::OccupancyMap map(mapping::MapperParameters{}.map);
-  EXPECT_TRUE(map.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())));
+  EXPECT_EQ(map.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())), occupancy::MapRoom::kEnough);
   for (int certainty = 0; certainty < 10; ++certainty) {
     map.beginScan();
     for (int y = 0; y < 4 * world.map.height(); ++y) {

@@ -17,7 +17,7 @@ mapping::MapperParameters parametersOf(double resolution) {
 /// A map with one wall in a box of `side` [m].
 occupancy::OccupancyMap mapOf(double resolution, double side) {
   occupancy::OccupancyMap map(parametersOf(resolution).map);
-  EXPECT_TRUE(map.reserve({0.0, 0.0}, {side, side}));
+  EXPECT_EQ(map.reserve({0.0, 0.0}, {side, side}), occupancy::MapRoom::kEnough);
   for (int certainty = 0; certainty < 10; ++certainty) {
     map.beginScan();
     map.hit({5, 5});

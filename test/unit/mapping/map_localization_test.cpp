@@ -46,10 +46,10 @@ class MapLocalizationTest : public ::testing::Test {
     parameters.localize_only = localize_only;
     parameters.trust_odometry = trust_odometry;
     mapping::Mapper mapper(parameters);
-    occupancy::OccupancyMap rooms(parameters.map);
-    EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())));
-    for (int certainty = 0; certainty < 10; ++certainty) draw(rooms);
-    EXPECT_TRUE(mapper.load(rooms));
+    occupancy::OccupancyMap map(parameters.map);
+    EXPECT_EQ(map.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())), occupancy::MapRoom::kEnough);
+    for (int certainty = 0; certainty < 10; ++certainty) draw(map);
+    EXPECT_TRUE(mapper.load(map));
     return mapper;
   }
   void draw(occupancy::OccupancyMap& rooms) const {
@@ -168,7 +168,7 @@ TEST_F(MapLocalizationTest, ALoadedMapIsNoLargerThanItself_MAP_5) {
   mapping::Mapper mapper = knowing(false);
   const GridGeometry rooms = mapper.map().geometry();
   occupancy::OccupancyMap far_away;
-  ASSERT_TRUE(far_away.reserve({-301.0, -301.0}, {-299.0, -299.0}));
+  ASSERT_EQ(far_away.reserve({-301.0, -301.0}, {-299.0, -299.0}), occupancy::MapRoom::kEnough);
   far_away.beginScan();
   const Cell wall = far_away.geometry().cellAt({-300.0, -300.0});
   far_away.hit(wall);
@@ -259,7 +259,7 @@ TEST(KnownMap, WhoseBoxIsTooLargeToLocaliseInIsRefusedAsAWhole_FLT_2) {
   parameters.trust_odometry = true;
   mapping::Mapper mapper(parameters);
   occupancy::OccupancyMap large(parameters.map);
-  ASSERT_TRUE(large.reserve({-250.0, -250.0}, {250.0, 250.0})) << "a hundred million cells of 5 cm";
+  ASSERT_EQ(large.reserve({-250.0, -250.0}, {250.0, 250.0}), occupancy::MapRoom::kEnough) << "100 million cells";
   EXPECT_FALSE(mapper.load(large));
   EXPECT_FALSE(mapper.resume(large, Pose2(1.0, 0.0, 0.0), Pose2(), true));
   EXPECT_LT(mapper.map().geometry().size(), large.geometry().size()) << "the map is as it was";
@@ -271,7 +271,7 @@ TEST_F(MapLocalizationTest, AMapWithoutWallsThatWasLoadedKeepsTheMapperNotFromMa
   mapping::Mapper mapper;
   drive(mapper, {1.0, 1.0, 0.0}, {2.0, 1.0, 0.0});
   occupancy::OccupancyMap open(mapping::MapperParameters{}.map);
-  ASSERT_TRUE(open.reserve({0.0, 0.0}, {5.0, 5.0}));
+  ASSERT_EQ(open.reserve({0.0, 0.0}, {5.0, 5.0}), occupancy::MapRoom::kEnough);
   open.beginScan();
   for (int i = 0; i < 2500; ++i) open.miss({i % 50, i / 50});
   ASSERT_TRUE(mapper.load(open) && !mapper.map().hasOccupied());
@@ -284,7 +284,7 @@ TEST_F(MapLocalizationTest, AMapWithoutWallsThatWasLoadedKeepsTheMapperNotFromMa
 TEST(KnownMap, ThatIsNoiseIsRefusedAsAWhole_FLT_1) {
   mapping::Mapper mapper(mapping::MapperParameters{});
   occupancy::OccupancyMap noise(mapping::MapperParameters{}.map);
-  ASSERT_TRUE(noise.reserve({0.0, 0.0}, {55.0, 55.0}));
+  ASSERT_EQ(noise.reserve({0.0, 0.0}, {55.0, 55.0}), occupancy::MapRoom::kEnough);
   for (int certainty = 0; certainty < 10; ++certainty) {
     noise.beginScan();
     for (int y = 0; y < 1050; ++y) {

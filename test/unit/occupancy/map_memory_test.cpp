@@ -11,7 +11,7 @@ TEST(OccupancyMap, TakesMemoryForWhatIsMappedAndNotForTheBoxAroundIt) {
   occupancy::OccupancyMap map = smallMap();
   miss(map, cellAt(map, 0.2, 0.2));
   const std::size_t before = map.memory();
-  ASSERT_TRUE(map.reserve({-300.0, -300.0}, {300.0, 300.0}));
+  ASSERT_EQ(map.reserve({-300.0, -300.0}, {300.0, 300.0}), occupancy::MapRoom::kEnough);
   hit(map, cellAt(map, -299.0, 299.0));
   EXPECT_GE(map.geometry().size(), 144'000'000U);
   EXPECT_LT(map.memory(), before + 1'000'000U);
@@ -25,7 +25,7 @@ TEST(OccupancyMap, AddsNothingNewBeyondItsMemoryAndGoesOnUpdatingWhatIsKnown) {
   occupancy::OccupancyMapParameters parameters;
   parameters.max_memory = 1.0;
   occupancy::OccupancyMap map(parameters);
-  ASSERT_TRUE(map.reserve({0.0, 0.0}, {100.0, 100.0}));
+  ASSERT_EQ(map.reserve({0.0, 0.0}, {100.0, 100.0}), occupancy::MapRoom::kEnough);
   for (int i = 0; i < 60; ++i) miss(map, {i, i});
   EXPECT_FALSE(map.isFull());
   for (int y = 0; y < 1000; y += 64) {
@@ -65,10 +65,10 @@ TEST(OccupancyMap, KeepsItsProjectionUpToDateAfterTheFirstCall_MAP_2) {
 // Otherwise two small maps far apart, loaded one after the other, would leave a box that nobody else can work with.
 TEST(OccupancyMap, MakesItsBoxAnewOnceNothingInItIsKnown) {
   occupancy::OccupancyMap map;
-  ASSERT_TRUE(map.reserve({299.0, 299.0}, {301.0, 301.0}));
+  ASSERT_EQ(map.reserve({299.0, 299.0}, {301.0, 301.0}), occupancy::MapRoom::kEnough);
   hit(map, cellAt(map, 300.0, 300.0));
   occupancy::OccupancyMap other;
-  ASSERT_TRUE(other.reserve({-301.0, -301.0}, {-299.0, -299.0}));
+  ASSERT_EQ(other.reserve({-301.0, -301.0}, {-299.0, -299.0}), occupancy::MapRoom::kEnough);
   hit(other, cellAt(other, -300.0, -300.0));
   const GridGeometry of_other = other.geometry();
   map.takeChanges();
@@ -79,12 +79,12 @@ TEST(OccupancyMap, MakesItsBoxAnewOnceNothingInItIsKnown) {
   EXPECT_TRUE(changes.geometry_changed);
   EXPECT_EQ(changes.cells, map.geometry().rect());
   map.clear();
-  ASSERT_TRUE(map.reserve({-1.0, -1.0}, {1.0, 1.0}));
+  ASSERT_EQ(map.reserve({-1.0, -1.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
   EXPECT_LT(map.geometry().size(), 1'000'000U);
   EXPECT_EQ(map.takeChanges().cells, map.geometry().rect());
   hit(map, cellAt(map, 0.5, 0.5));
   EXPECT_TRUE(map.grid().cells() == map.projection().cells());
-  ASSERT_TRUE(map.reserve({10.0, 10.0}, {11.0, 11.0}));
+  ASSERT_EQ(map.reserve({10.0, 10.0}, {11.0, 11.0}), occupancy::MapRoom::kEnough);
   EXPECT_TRUE(map.isOccupied(cellAt(map, 0.5, 0.5))) << "what is known stays inside";
 }
 

@@ -58,7 +58,7 @@ TEST(OccupancyMap, ProjectsProbabilitiesOnRequest) {
   occupancy::OccupancyMapParameters parameters;
   parameters.probabilities = true;
   occupancy::OccupancyMap map(parameters);
-  ASSERT_TRUE(map.reserve({-1.0, -1.0}, {1.0, 1.0}));
+  ASSERT_EQ(map.reserve({-1.0, -1.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
   const Cell cell = cellAt(map, 0.2, 0.2);
   hit(map, cell);
   EXPECT_EQ(map.grid()[cell], 70);
@@ -71,7 +71,7 @@ TEST(OccupancyMap, GrowsWithoutMovingWhatItKnows) {
   hit(map, cellAt(map, 0.52, 0.52));
   miss(map, cellAt(map, -0.93, 0.12));
   const GridGeometry before = map.geometry();
-  ASSERT_TRUE(map.reserve({-31.0, -2.0}, {0.0, 44.0}));
+  ASSERT_EQ(map.reserve({-31.0, -2.0}, {0.0, 44.0}), occupancy::MapRoom::kEnough);
   EXPECT_EQ(map.grid()[cellAt(map, 0.52, 0.52)], kOccupied);
   EXPECT_EQ(map.grid()[cellAt(map, -0.93, 0.12)], kFree);
   EXPECT_EQ(knownCells(map), 2U);
@@ -83,10 +83,10 @@ TEST(OccupancyMap, GrowsWithoutMovingWhatItKnows) {
 
 TEST(OccupancyMap, NeverShrinksWhileACellOfItIsKnown) {
   occupancy::OccupancyMap map;
-  ASSERT_TRUE(map.reserve({-31.0, -2.0}, {0.0, 44.0}));
+  ASSERT_EQ(map.reserve({-31.0, -2.0}, {0.0, 44.0}), occupancy::MapRoom::kEnough);
   const GridGeometry before = map.geometry();
   miss(map, cellAt(map, -30.0, 40.0));
-  ASSERT_TRUE(map.reserve({0.0, 0.0}, {0.1, 0.1}));
+  ASSERT_EQ(map.reserve({0.0, 0.0}, {0.1, 0.1}), occupancy::MapRoom::kEnough);
   map.clear();
   EXPECT_EQ(map.geometry(), before);
 }
@@ -94,19 +94,19 @@ TEST(OccupancyMap, NeverShrinksWhileACellOfItIsKnown) {
 TEST(OccupancyMap, RefusesToGrowBeyondItsLargestSizeAndStaysAsItWas) {
   occupancy::OccupancyMap map = smallMap();
   const GridGeometry before = map.geometry();
-  EXPECT_FALSE(map.reserve({0.0, 0.0}, {1500.0, 0.0}));
-  EXPECT_FALSE(map.reserve({-1e300, 0.0}, {0.0, 0.0}));
-  EXPECT_FALSE(map.reserve({std::nan(""), 0.0}, {0.0, 0.0}));
+  EXPECT_EQ(map.reserve({0.0, 0.0}, {1500.0, 0.0}), occupancy::MapRoom::kTooLarge);
+  EXPECT_EQ(map.reserve({-1e300, 0.0}, {0.0, 0.0}), occupancy::MapRoom::kTooFar);
+  EXPECT_EQ(map.reserve({std::nan(""), 0.0}, {0.0, 0.0}), occupancy::MapRoom::kTooFar);
   EXPECT_EQ(map.geometry(), before);
 }
 
 // A map of a few metres may lie where no map reaches, as one with the coordinates of a whole country.
 TEST(OccupancyMap, TellsABoxThatLiesTooFarAwayFromOneThatIsTooLarge) {
-  const occupancy::OccupancyMap map;
-  EXPECT_EQ(map.roomAt({0.0, 1600.0}, {1.0, 1601.0}), occupancy::MapRoom::kEnough);
-  EXPECT_EQ(map.roomAt({0.0, 1638.0}, {1.0, 1639.0}), occupancy::MapRoom::kTooFar);
-  EXPECT_EQ(map.roomAt({-4e8, 0.0}, {-4e8, 1.0}), occupancy::MapRoom::kTooFar);
-  EXPECT_EQ(map.roomAt({0.0, 0.0}, {1500.0, 0.0}), occupancy::MapRoom::kTooLarge);
+  occupancy::OccupancyMap map;
+  EXPECT_EQ(map.reserve({0.0, 1600.0}, {1.0, 1601.0}), occupancy::MapRoom::kEnough);
+  EXPECT_EQ(map.reserve({0.0, 1638.0}, {1.0, 1639.0}), occupancy::MapRoom::kTooFar);
+  EXPECT_EQ(map.reserve({-4e8, 0.0}, {-4e8, 1.0}), occupancy::MapRoom::kTooFar);
+  EXPECT_EQ(map.reserve({0.0, 0.0}, {1500.0, 0.0}), occupancy::MapRoom::kTooLarge);
   EXPECT_EQ(map.describe(occupancy::MapRoom::kTooFar), "lies farther than 1638.4 m from the frame's origin");
   EXPECT_EQ(map.describe(occupancy::MapRoom::kEnough), "");
 }
@@ -116,14 +116,14 @@ TEST(OccupancyMap, TakesWhatFitsIntoItsLargestSizeThoughNotRounded_MAP_2) {
   occupancy::OccupancyMapParameters parameters;
   parameters.max_side = 15.0;
   occupancy::OccupancyMap map(parameters);
-  ASSERT_TRUE(map.reserve({-5.0, -5.0}, {5.0, 5.0}));
+  ASSERT_EQ(map.reserve({-5.0, -5.0}, {5.0, 5.0}), occupancy::MapRoom::kEnough);
   hit(map, cellAt(map, 1.0, 1.0));
-  EXPECT_TRUE(map.reserve({-5.0, -7.0}, {5.0, 7.0}));
+  EXPECT_EQ(map.reserve({-5.0, -7.0}, {5.0, 7.0}), occupancy::MapRoom::kEnough);
   EXPECT_TRUE(map.isOccupied(cellAt(map, 1.0, 1.0)));
   occupancy::OccupancyMap other(parameters);
-  ASSERT_TRUE(other.reserve({-1.0, -7.0}, {1.0, 7.0}));
+  ASSERT_EQ(other.reserve({-1.0, -7.0}, {1.0, 7.0}), occupancy::MapRoom::kEnough);
   EXPECT_TRUE(map.hasRoomFor(other));
-  EXPECT_FALSE(map.reserve({-5.0, -8.0}, {5.0, 8.0}));
+  EXPECT_EQ(map.reserve({-5.0, -8.0}, {5.0, 8.0}), occupancy::MapRoom::kTooLarge);
 }
 
 // [MAP-2] change detection
@@ -144,7 +144,7 @@ TEST(OccupancyMap, TellsWhichBlockOfValuesChanged_MAP_2) {
 TEST(OccupancyMap, ReportsAllOfItAfterItHasGrownOrWasCleared) {
   occupancy::OccupancyMap map = smallMap();
   map.takeChanges();
-  ASSERT_TRUE(map.reserve({-31.0, -2.0}, {0.0, 44.0}));
+  ASSERT_EQ(map.reserve({-31.0, -2.0}, {0.0, 44.0}), occupancy::MapRoom::kEnough);
   const occupancy::MapChanges grown = map.takeChanges();
   EXPECT_TRUE(grown.geometry_changed);
   EXPECT_EQ(grown.cells, map.geometry().rect());

@@ -28,7 +28,7 @@ TEST(OccupancyMap, HoldsTheSameAsTheOctreeThatItGives_MAP_2) {
 
 TEST(OccupancyMap, RefusesAFileThatNeedsMoreMemoryThanItMayTake) {
   occupancy::OccupancyMap large;
-  ASSERT_TRUE(large.reserve({0.0, 0.0}, {100.0, 100.0}));
+  ASSERT_EQ(large.reserve({0.0, 0.0}, {100.0, 100.0}), occupancy::MapRoom::kEnough);
   for (int y = 0; y < 1000; y += 64) {
     for (int x = 0; x < 1000; x += 64) miss(large, {x, y});
   }
@@ -50,7 +50,7 @@ TEST(OccupancyMap, IsTheSameAfterAWriteAndARead_MAP_2) {
   std::stringstream file;
   ASSERT_TRUE(map.write(file));
   occupancy::OccupancyMap copy;
-  ASSERT_TRUE(copy.reserve(map.geometry().origin + Vec2(1.0, 1.0), Vec2(9.0, 9.0)));
+  ASSERT_EQ(copy.reserve(map.geometry().origin + Vec2(1.0, 1.0), Vec2(9.0, 9.0)), occupancy::MapRoom::kEnough);
   std::string why;
   ASSERT_TRUE(copy.read(file.str(), why)) << why;
   EXPECT_EQ(copy.geometry(), map.geometry());
@@ -127,7 +127,7 @@ TEST(OccupancyMap, KeepsItsContentWhenReadingFails) {
   occupancy::OccupancyMapParameters coarse;
   coarse.resolution = 0.1;
   occupancy::OccupancyMap other(coarse);
-  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  ASSERT_EQ(other.reserve({0.0, 0.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
   hit(other, {3, 3});
   std::stringstream file;
   ASSERT_TRUE(other.write(file));

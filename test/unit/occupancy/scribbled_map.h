@@ -22,7 +22,7 @@ inline void miss(occupancy::OccupancyMap& map, Cell cell) {
 
 inline occupancy::OccupancyMap smallMap() {
   occupancy::OccupancyMap map;
-  EXPECT_TRUE(map.reserve({-1.0, -1.0}, {1.0, 1.0}));
+  EXPECT_EQ(map.reserve({-1.0, -1.0}, {1.0, 1.0}), occupancy::MapRoom::kEnough);
   return map;
 }
 
@@ -32,7 +32,7 @@ inline void scribble(occupancy::OccupancyMap& map, int scans) {
   std::uniform_real_distribution<double> place(-12.0, 12.0);
   for (int i = 0; i < scans; ++i) {
     const Vec2 point(place(random), place(random));
-    ASSERT_TRUE(map.reserve(point, point));
+    ASSERT_EQ(map.reserve(point, point), occupancy::MapRoom::kEnough);
     map.beginScan();
     for (int k = 0; k < 20; ++k) {
       const Cell cell = map.geometry().cellAt({point.x(), point.y()});

@@ -12,7 +12,7 @@ namespace {
 
 occupancy::OccupancyMap someMap() {
   occupancy::OccupancyMap map;
-  EXPECT_TRUE(map.reserve({-3.0, -2.0}, {17.0, 9.0}));
+  EXPECT_EQ(map.reserve({-3.0, -2.0}, {17.0, 9.0}), occupancy::MapRoom::kEnough);
   for (int i = 0; i < 150; ++i) {
     map.beginScan();
     map.hit({2 * i, i});
