@@ -1,9 +1,7 @@
 #include "ros/frontier_explorer/explorer_status.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
@@ -78,8 +76,8 @@ void FrontierExplorerAdapter::addLimits(ExplorerStatus& msg) const {
   if (missesBattery()) msg.until += std::string(" (") + kNoBattery + ")";
   msg.battery = battery().value_or(std::numeric_limits<double>::quiet_NaN());
   msg.return_to_start = static_cast<std::uint8_t>(explorer_.returnsToStart());
-  msg.save_map_at_end = map_at_end_;
-  msg.map_saved = map_saved_;
+  msg.save_map_at_end = map_at_end_.path();
+  msg.map_saved = map_at_end_.outcome();
 }
 
 /// Keeps the charge. One that is not measured (NaN) is no fault of the message.
@@ -106,7 +104,7 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
                              status_.reason == Reason::kOthersGoal;
   const bool waits = status_.state == exploration::ExplorerState::kIdle && !asked_to_wait;
   const bool stuck = status_.reason == Reason::kTooManyFrontiers || status_.reason == Reason::kRobotOutOfBounds;
-  status.summary(waits || stuck || map_lost_ ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+  status.summary(waits || stuck || map_at_end_.isLost() ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                  std::string(toString(status_.state)) + ": " + status_.reason_text);
   if (missesBattery()) {
     status.mergeSummary(DiagnosticStatus::WARN, std::string("until/battery is set, but ") + kNoBattery);
@@ -120,7 +118,7 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
     if (std::isfinite(status_.whole->time_left)) status.addf("time left [s]", "%.0f", status_.whole->time_left);
   }
   if (!explorer_.bounds().empty()) status.add("bounds", explorer_.bounds().describe());
-  if (!map_saved_.empty()) status.add("map at the end", map_saved_);
+  if (!map_at_end_.outcome().empty()) status.add("map at the end", map_at_end_.outcome());
   if (battery()) status.add("battery", *battery());
   map_.rejections().report(status);
   bad_odometry_.report(status);
@@ -129,29 +127,6 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
   bad_inspections_.report(status);
   tf_.report(status);
   navigation_.report(status);
-}
-
-/// Saves the map whenever the exploration has ended, and takes up how that went. As long as nothing else is explored it
-/// is tried again, because the mapper may have died and be back soon. [EXP-10]
-void FrontierExplorerAdapter::saveMap(const exploration::ExplorerOutput& output) {
-  constexpr Duration kBetweenAttempts = std::chrono::seconds(5);
-  const auto done = [](const exploration::ExplorerProgress& p) { return p.state == exploration::ExplorerState::kDone; };
-  const bool ended = std::any_of(output.transitions.begin(), output.transitions.end(), done);
-  if (map_at_end_.empty()) return;
-  if (ended) map_saved_ = "saving " + map_at_end_;
-  if (ended || (done(status_) && save_again_ && steadyNow() >= *save_again_)) {
-    save_again_.reset();
-    map_saver_.save(map_at_end_);
-  }
-  const auto end = map_saver_.take();
-  if (!end) return;
-  map_lost_ = !end->success;
-  save_again_ = map_lost_ ? std::make_optional(steadyNow() + kBetweenAttempts) : std::nullopt;
-  const std::string said = std::exchange(map_saved_, (map_lost_ ? "not saved: " : "saved: ") + end->message);
-  if (map_saved_ == said) return;
-  if (map_lost_) THROTTLED_WARN("the map at the end was " << map_saved_ << "; it is tried again");
-  if (!map_lost_) THROTTLED_INFO("the map at the end was " << map_saved_);
-  last_status_.reset();
 }
 
 }  // namespace frontier_pilot

@@ -17,10 +17,9 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
       explorer_(parameters_.explorer),
       team_(parameters_.fleet, parameters_.map_frame, tf_),
       navigation_(node),
-      map_saver_(node),
+      map_at_end_(node, parameters_.save_map_at_end, parameters_.fleet.name),
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart),
-      map_at_end_(pathOfRobot(parameters_.save_map_at_end, parameters_.fleet.name)),
       connections_(node) {
   resume();
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
@@ -86,6 +85,12 @@ void FrontierExplorerAdapter::update(Time now) {
   for (const exploration::ExplorerProgress& transition : output.transitions) publishStatus(transition, now);
   if (!last_status_ || now - *last_status_ >= std::chrono::seconds(1)) publishStatus(status_, now);
   showFrontiers(output.frontiers_judged, now);
+}
+
+void FrontierExplorerAdapter::saveMap(const exploration::ExplorerOutput& output) {
+  const auto done = [](const exploration::ExplorerProgress& p) { return p.state == exploration::ExplorerState::kDone; };
+  const bool ended = std::any_of(output.transitions.begin(), output.transitions.end(), done);
+  if (map_at_end_.update(ended, done(status_), steadyNow())) last_status_.reset();
 }
 
 exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {

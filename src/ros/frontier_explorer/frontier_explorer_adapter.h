@@ -28,8 +28,8 @@
 #include "ros/frontier_explorer/clicked_polygon.h"
 #include "ros/frontier_explorer/explorer_memory.h"
 #include "ros/frontier_explorer/explorer_parameters.h"
+#include "ros/frontier_explorer/map_at_end.h"
 #include "ros/frontier_explorer/move_base_client.h"
-#include "ros/frontier_explorer/save_map_caller.h"
 #include "ros/frontier_explorer/team_claims.h"
 
 namespace frontier_pilot {
@@ -103,7 +103,7 @@ class FrontierExplorerAdapter {
   TfBridge tf_;
   TeamClaims team_;
   MoveBaseClient navigation_;
-  SaveMapCaller map_saver_;
+  MapAtEnd map_at_end_;
   NodeDiagnostics diagnostics_;
   StartGrace grace_;
   Rejections bad_odometry_{"odometry"};
@@ -120,10 +120,6 @@ class FrontierExplorerAdapter {
   bool stopped_ = false;  ///< by an emergency stop
   EarlierStops earlier_stops_;
   bool reset_ = false, start_ = false;  ///< asked for since the last tick
-  bool map_lost_ = false;               ///< the last map at the end was not saved
-  std::string map_at_end_;              ///< where it is saved; empty: nowhere
-  std::string map_saved_;
-  std::optional<SteadyTime> save_again_;  ///< when, after the map was not saved
   bool markers_due_ = false;
   std::optional<Time> odometry_stamp_;
   std::optional<Time> last_status_;

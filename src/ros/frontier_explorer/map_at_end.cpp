@@ -1,19 +1,20 @@
-#include "ros/frontier_explorer/save_map_caller.h"
+#include "ros/frontier_explorer/map_at_end.h"
 
 #include <frontier_pilot/SaveMap.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "ros/common/names.h"
+#include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
 
 constexpr const char* kNoAnswer = ": no such service, or it died";
 
-}  // namespace
-
+/// `path` for one robot of several: with its name at the end, or else each one's map would be saved over the others'.
 std::string pathOfRobot(const std::string& path, const std::string& robot) {
   if (path.empty() || robot.empty()) return path;
   std::filesystem::path base = path;
@@ -23,6 +24,8 @@ std::string pathOfRobot(const std::string& path, const std::string& robot) {
   std::replace(name.begin(), name.end(), '/', '_');
   return base.string() + "_" + name;
 }
+
+}  // namespace
 
 SaveMapCaller::~SaveMapCaller() {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -53,6 +56,28 @@ SaveMapCaller::End SaveMapCaller::call(const std::string& path) {
   service.request.path = path;
   if (!connected || !client.call(service)) return {false, client.getService() + kNoAnswer};
   return {service.response.success != 0, service.response.message};
+}
+
+MapAtEnd::MapAtEnd(const ros::NodeHandle& node, const std::string& path, const std::string& robot)
+    : caller_(node), path_(pathOfRobot(path, robot)) {}
+
+bool MapAtEnd::update(bool ended, bool done, SteadyTime now) {
+  constexpr Duration kBetweenAttempts = std::chrono::seconds(5);
+  if (path_.empty()) return false;
+  if (ended) outcome_ = "saving " + path_;
+  if (ended || (done && again_ && now >= *again_)) {
+    again_.reset();
+    caller_.save(path_);
+  }
+  const auto end = caller_.take();
+  if (!end) return false;
+  lost_ = !end->success;
+  again_ = lost_ ? std::make_optional(now + kBetweenAttempts) : std::nullopt;
+  const std::string said = std::exchange(outcome_, (lost_ ? "not saved: " : "saved: ") + end->message);
+  if (outcome_ == said) return false;
+  if (lost_) THROTTLED_WARN("the map at the end was " << outcome_ << "; saving is tried again");
+  if (!lost_) THROTTLED_INFO("the map at the end was " << outcome_);
+  return true;
 }
 
 }  // namespace frontier_pilot
