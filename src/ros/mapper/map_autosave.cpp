@@ -22,17 +22,17 @@ namespace fs = std::filesystem;
 
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
 
-/// Puts the copy of a map that another one was loaded for where no mapper takes it up, because that one could not be
-/// saved in its place. Returns what is to be added to why it could not.
-std::string withdraw(const SessionMemory& memory) {
+/// Moves the copy of the previous map to the folder `lost`, so that no mapper continues with it after the loaded map
+/// could not be saved. Returns what to add to the problem.
+std::string setPreviousAside(const SessionMemory& memory) {
   const auto stays = [](const fs::path& base) { return kept_map::exists(base) && kept_map::setAside(base).empty(); };
   const std::vector<fs::path>& bases = memory.files();
-  if (std::any_of(bases.begin(), bases.end(), stays)) return "; the map of before would come back";
+  if (std::any_of(bases.begin(), bases.end(), stays)) return "; the previous map would come back";
   memory.forget();
   return {};
 }
 
-/// Returns why it could not be saved; empty if it was. If `superseded`, the copy that is there is of another map.
+/// Returns why it could not be saved; empty if it was. If `superseded`, the copy that is there is of the previous map.
 std::string save(const map_files::MapSnapshot& map, const std::string& pose, const SessionMemory& memory,
                  const std::atomic<bool>& wanted, bool superseded) {
   if (memory.files().empty()) return "the ROS session has no name";
@@ -40,7 +40,7 @@ std::string save(const map_files::MapSnapshot& map, const std::string& pose, con
   std::error_code error;
   fs::create_directories(base.parent_path(), error);
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
-  if (!result.ok()) return result.text + (superseded ? withdraw(memory) : "");
+  if (!result.ok()) return result.text + (superseded ? setPreviousAside(memory) : "");
   kept_map::removeOldest(base);
   if (!wanted) return {};  // a pose would have the next mapper continue with it
   return memory.remember(pose);
@@ -124,7 +124,7 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   const SteadyTime now = steadyNow();
   const std::uint64_t content = has.scans + has.rendered;
   noteMapping(content, now);
-  if (!isDiscarded()) {  // which would remove what is saved now
+  if (!discardUnwanted()) {  // removed later on, it would take what is saved now with it
     problem_ = "the copy of a map that was given up cannot be removed: the disk does not answer";
     return;
   }
@@ -208,12 +208,11 @@ bool MapAutosave::forget(Duration patience) {
   wanted_ = std::make_shared<std::atomic<bool>>(true);
   unwanted_ = memory_;
   const SteadyTime end = steadyNow() + patience;
-  while (!isDiscarded() && steadyNow() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (!discardUnwanted() && steadyNow() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   return !unwanted_;
 }
 
-/// Whether nothing is left of a copy that was to be removed. One that a disk which hung has kept is removed now.
-bool MapAutosave::isDiscarded() {
+bool MapAutosave::discardUnwanted() {
   // The jobs on the disk follow each other: when this one has ended, those before it that were late have as well.
   if (unwanted_ && diskThread().run<std::string>([memory = *unwanted_] { return discard(memory); })) unwanted_.reset();
   return !unwanted_;

@@ -56,7 +56,7 @@ class MapAutosave {
   /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const MapPose& pose, std::uint64_t rendered);
   /// Removes the copy, because the map was reset or the mapper is shut down regularly. The next map is saved whatever
-  /// its `content`, and as soon as it can be. A disk that hangs is waited for for `patience`; later on the copy is
+  /// its `content`, and as soon as it can be. Waits at most `patience` for a disk that hangs; later on the copy is
   /// removed before anything is saved. Returns whether it is gone.
   bool forget(Duration patience = std::chrono::milliseconds(500));
   /// The same, because another map was loaded; but the copy stays until that map replaces it, so that a mapper which
@@ -91,7 +91,8 @@ class MapAutosave {
   /// Takes over how the save has ended that was begun last.
   void noteEnd();
   std::string textOf(const MapPose& pose) const { return toText({pose, map_file_}); }
-  bool isDiscarded();
+  /// Removes the copy that was given up, if the disk answers. Returns whether none is left.
+  bool discardUnwanted();
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   const std::string map_file_;
@@ -101,7 +102,7 @@ class MapAutosave {
   std::shared_ptr<Mailbox<Saved>> done_;
   std::shared_ptr<std::atomic<bool>> ended_;  ///< whether the save that was begun last has
   SaveSchedule schedule_;
-  bool superseded_ = false;                  ///< the copy that may be there is of a map that another one was loaded for
+  bool superseded_ = false;                  ///< the copy on disk, if any, is of the map before the one that was loaded
   std::uint64_t rendered_ = 0;               ///< how often the map of the copy had been rendered again
   std::string problem_, pose_problem_;       ///< why the last map, and the last pose, could not be saved
   std::string loss_;                         ///< why the map of the mapper that died is lost
