@@ -25,7 +25,7 @@ PatrolParameters withinLimits(PatrolParameters parameters) {
   return parameters;
 }
 
-double farthestLook(const PatrolParameters& parameters, double age) {
+double reach(const PatrolParameters& parameters, double age) {
   const PatrolParameters p = withinLimits(parameters);
   return p.linear_speed * (age + p.simulate_ahead_time) + brakingDistance(p.linear_speed, p.linear_acc);
 }

@@ -131,6 +131,9 @@ struct WholeEstimate {
   double deviation = 0.0;  ///< of the area, one standard deviation [m^2]
   double time_left = 0.0;  ///< [s]; NaN while nothing has been explored since the exploration was started again
   double explored = 0.0;   ///< what was explored when the estimate was made [m^2]
+
+  /// Whether `area` is an estimate, and not known exactly because nothing is left.
+  bool isEstimated() const { return deviation > 0.0; }
 };
 
 struct ExplorerProgress {

@@ -64,7 +64,7 @@ struct PatrolParameters {
 
 /// `parameters` with speeds and accelerations reduced to the robot's limits.
 PatrolParameters withinLimits(PatrolParameters parameters);
-/// How far a patrol may look from where the robot was `age` [s] before [m].
-double farthestLook(const PatrolParameters& parameters, double age);
+/// How far ahead of where the robot was `age` [s] ago a patrol looks [m].
+double reach(const PatrolParameters& parameters, double age);
 
 }  // namespace frontier_pilot::patrol

@@ -19,7 +19,7 @@ void Explorer::Impl::countExploring(double driven, Time now) {
 }
 
 StoppingRules::State Explorer::Impl::rulesState() const {
-  const bool estimated = status_.whole && status_.whole->deviation > 0.0;
+  const bool estimated = status_.whole && status_.whole->isEstimated();
   return {evaluator_.map().freeArea(), status_.shareExplored(), estimated, battery_};
 }
 

@@ -7,7 +7,7 @@ namespace frontier_pilot::exploration {
 
 /// A step that is larger than the robot can have driven is a correction of the pose, not motion.
 void Explorer::Impl::trackMotion(const ExplorerInputs& inputs, Time now) {
-  constexpr double kJump = 1.0;  // [m] more than that
+  constexpr double kJump = 1.0;  // [m] beyond what the robot can have driven
   if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
   const Pose2& pose = inputs.T_map_base->pose;
   const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;

@@ -48,7 +48,7 @@ void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {
 }
 
 void PatrolSurroundings::lookAheadFor(const patrol::PatrolParameters& parameters) {
-  check_.setReach(patrol::farthestLook(parameters, parameters_.costmap_timeout));
+  check_.setReach(patrol::reach(parameters, parameters_.costmap_timeout));
 }
 
 bool PatrolSurroundings::isConnecting() const {

@@ -117,9 +117,9 @@ TEST(PatrolAndObstacles, LooksNoFartherThanItSaysThatItDoes_PAT_7) {
     };
     loop.start(order);
     loop.run(20.0);
-    EXPECT_NEAR(farthest, patrol::farthestLook(parameters, 0.0), 1e-9);
+    EXPECT_NEAR(farthest, patrol::reach(parameters, 0.0), 1e-9);
   }
-  EXPECT_NEAR(patrol::farthestLook(parameters, 1.0) - patrol::farthestLook(parameters, 0.0), 0.65, 1e-9);
+  EXPECT_NEAR(patrol::reach(parameters, 1.0) - patrol::reach(parameters, 0.0), 0.65, 1e-9);
 }
 
 // [PAT-7]
