@@ -68,6 +68,7 @@ def within(seconds, work):
 
 def problem_at(uri):
     """Why nothing must be launched at this master; empty: nothing speaks against it."""
+    # In a list: None alone would mean that the master did not answer in time.
     answer = within(PATIENCE, lambda: [reason_at(uri)])
     if answer is None:
         return 'what listens at %s does not answer as a ROS master within %.0f s: ' % (uri, PATIENCE) + ADVICE % ''

@@ -10,12 +10,8 @@ prepare_environment() {
   unset PYTHONWARNINGS PYTHONINSPECT PYTHONVERBOSE PYTHONIOENCODING  # ROS' tools warn, they have to end, and what they print is read
 }
 
-# check_surroundings BUILD: the first thing with which nothing can be built in the folder BUILD or launched is named, with what would
-# help, and ends the script.
+# check_surroundings: the first thing with which nothing can be launched is named, with what would help, and ends the script.
 check_surroundings() {
-  local build=$1 log=$1/build.log
-  mkdir -p -- "$build" 2>/dev/null && { : >>"$build/.lock"; } 2>/dev/null && { [ ! -e "$log" ] || { [ -f "$log" ] && [ -w "$log" ]; }; } ||
-    cannot_begin "nothing can be written to $log, in the folder of the build; 'export FRONTIER_PILOT_BUILD=FOLDER' takes another folder"
   local needed_files=256  # of the ROS master, which has connections to every node
   local open_files ros_home=${ROS_HOME:-~/.ros} master=${ROS_MASTER_URI:-http://localhost:11311}
   open_files=$(ulimit -n)
@@ -29,10 +25,10 @@ check_surroundings() {
     cannot_begin "temporary files cannot be made in ${TMPDIR:-/tmp}; 'export TMPDIR=FOLDER' takes another folder"
 }
 
-# check_master: a robot or a simulation that runs at the ROS master is named, and ends the script.
+# check_master ROOT: a robot or a simulation that runs at the ROS master is named, and ends the script. ROOT holds the sources.
 check_master() {
   local problem
-  problem=$("$root/scripts/running_system.py") || cannot_begin "${problem:-running_system.py failed, see above}"
+  problem=$("$1/scripts/running_system.py") || cannot_begin "${problem:-running_system.py failed, see above}"
 }
 
 # claim_master: from now on, and as long as a process that this script starts lives, another scripts/run of this user at the same ROS
