@@ -149,7 +149,7 @@ class FleetOfNames : public ::testing::Test {
   FleetBridge bridge_{node_, teleop::TeleopParameters(), [] { return ros::ok(); }};
 };
 
-// [GUI-3] [FLT-1]
+// [MUL-4] [FLT-1]
 TEST_F(FleetOfNames, WatchesANewRobotHoweverManyThereWereBefore) {
   std::vector<std::string> robots;
   for (int i = 0; i < 50; ++i) robots.push_back("visitor" + std::to_string(i));

@@ -178,7 +178,7 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.client.cancel_goal()
         self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
 
-    def test_a_goal_does_not_outlive_its_map(self):  # [NAV-1] [MAP-5]
+    def test_a_goal_does_not_outlive_its_map(self):  # [NAV-1]
         replaced = rospy.Publisher('mapper/replaced', String, queue_size=1)
         self.addCleanup(replaced.unregister)
         self.assertTrue(wait_for(lambda: replaced.get_num_connections() > 0))

@@ -55,7 +55,7 @@ class PatrolWithoutStamps(unittest.TestCase):
         goal.goal.x, goal.goal.y, goal.goal.z = 1, LEG, 1
         self.client.send_goal(goal)
 
-    # [PAT-2]
+    # [PAT-7]
     def test_a_wall_beyond_the_end_of_a_leg_is_not_taken_for_nearer_than_it_is(self):
         def moving():
             if self.client.simple_state == actionlib.SimpleGoalState.DONE:

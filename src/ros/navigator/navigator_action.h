@@ -25,7 +25,7 @@ class MoveBaseServer {
   MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
 
   /// Subscribes to `move_base_simple/goal`, which rviz publishes. As in move_base, its goals become goals of the
-  /// action. And to `mapper/replaced`: no goal outlives the map that it was meant for. [MAP-5]
+  /// action. And to `mapper/replaced`: no goal outlives the map that it was meant for. [NAV-1]
   void subscribe(NodeConnections& connections);
   /// Whether the emergency stop is latched. No goal outlives it, and none that comes meanwhile: nobody expects that the
   /// robot drives after the clear. [ARB-8]

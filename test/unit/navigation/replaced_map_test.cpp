@@ -10,8 +10,8 @@ namespace {
 using test::DrivenRobot;
 using test::room;
 
-// [NAV-1] [MAP-5]
-TEST(ReplacedMap, EndsTheGoalThatWasMeantForTheMapOfBefore_NAV_1_MAP_5) {
+// [NAV-1]
+TEST(ReplacedMap, EndsTheGoalThatWasMeantForTheMapOfBefore_NAV_1) {
   DrivenRobot robot(room(), {1.0, 1.5, 0.0});
   robot.send({5.0, 1.0});
   robot.run(5.0);
