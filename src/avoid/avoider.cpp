@@ -187,7 +187,8 @@ void Avoider::Impl::beClear(const std::string& reason, Time now) {
 }
 
 void Avoider::Impl::startEpisode(Time now) {
-  // If only the lane is blocked, its two sides decide: for the sectors that obstacle is not there, or not near.
+  // If only the lane is blocked, its two sides decide: the sectors do not contain that obstacle, or do not count it as
+  // near.
   const bool by_lane = around_.obstacleDistance() >= distances_.stop;
   const bool left = by_lane ? around_.lane_left > around_.lane_right : around_.front_left > around_.front_right;
   turn_ = left ? 1 : -1;

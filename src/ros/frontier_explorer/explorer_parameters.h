@@ -26,10 +26,9 @@ struct ExplorerNodeParameters {
     v.field("rate", rate, "Hz", "ticks of the explorer", tickRate());
     v.field("map_frame", map_frame, "", "frame of the map and of the goals", FrameName::kGiven);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
-    v.field(
-        "save_map_at_end", save_map_at_end, "",
-        "when the exploration has ended, have the mapper save the map here (as mapper/save_map), with fleet/name at "
-        "the end; empty: no");
+    v.field("save_map_at_end", save_map_at_end, "",
+            "when the exploration has ended, the mapper saves the map here (as mapper/save_map); a robot with a "
+            "fleet/name appends it to the path; empty: the map is not saved");
     v.group("fleet", fleet, "other robots that explore the same building");
     explorer.describe(v);
   }

@@ -99,7 +99,7 @@ void FleetBridge::handleStopStatus(const FleetStopStatus& msg) {
 }
 
 /// fleet_stop lists a robot until an hour after it was seen last. As long as there is room the window goes on listening
-/// to those that it lists no more, also because a fleet_stop that has just been started lists few.
+/// to those that it no longer lists, also because a fleet_stop that has just been started lists few.
 void FleetBridge::makeRoom(const std::map<std::string, bool>& listed) {
   const auto is_new = [this](const auto& robot) { return topics_.count(robot.first) == 0; };
   const auto more = static_cast<std::size_t>(std::count_if(listed.begin(), listed.end(), is_new));

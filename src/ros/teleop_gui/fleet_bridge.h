@@ -78,7 +78,7 @@ class FleetBridge : public teleop::FleetLink {
   ServiceCaller stop_caller_, robot_stop_caller_;
   ServiceWatch watch_;
   NodeConnections connections_;
-  std::map<std::string, std::vector<ros::Subscriber>> topics_;  ///< by robot; for the thread of what they say
+  std::map<std::string, std::vector<ros::Subscriber>> topics_;  ///< by robot; used only by the thread that hears them
   ros::AsyncSpinner spinner_;
   // What follows is for the window's thread.
   std::deque<Retired> retired_;  ///< the oldest first

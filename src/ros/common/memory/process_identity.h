@@ -29,8 +29,9 @@ struct ProcessIdentity {
   /// Whether the process no longer exists and this one was started in its place: by the process that had started it,
   /// and for a master at the same address.
   bool isReplacedByThisOne() const;
-  /// Whether this process goes on with what that one did, living or dead: the computer runs since then, and this one
-  /// was started by the same roslaunch, or by none, which a person does who knows what was said before.
+  /// Whether this process may continue what that one did, whether or not that one still lives: the computer has not
+  /// been restarted since, and this process was started by the same roslaunch, or by hand, by someone who knows what
+  /// was said before.
   bool isOfThisLaunch() const;
   /// Whether both were started by the same process.
   bool isOfStarterOf(const ProcessIdentity& other) const;
