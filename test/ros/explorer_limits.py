@@ -2,6 +2,8 @@
 """What bounds and ends an exploration, and goals of others, against a move_base and a map that are not ours."""
 import math
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -63,6 +65,21 @@ class ExplorerLimits(ExplorerCase):
         self.assertTrue(wait_for(lambda: self.robot.goals))
         self.assertTrue(call('frontier_explorer/set_bounds', SetBounds, rectangle(-1.0, 5.0), [rectangle(1.0, 2.0)]).success)
         self.start_again()
+        self.assertTrue(self.comes(lambda status: len(status.stay_within.points) == 4 and len(status.keep_out) == 1), '[FLT-2]')
+
+    # [EXP-10] [FLT-2]
+    def test_leaves_its_bounds_to_the_next_one_when_a_node_of_another_program_takes_its_name(self):
+        self.explore()
+        self.assertTrue(wait_for(lambda: self.robot.goals))
+        self.assertTrue(call('frontier_explorer/set_bounds', SetBounds, rectangle(-1.0, 5.0), [rectangle(1.0, 2.0)]).success)
+        namesake = subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('frontier_explorer'); rospy.spin()"])
+        self.addCleanup(namesake.wait)
+        self.addCleanup(namesake.terminate)
+        self.node.finish(20.0)  # the master has told it to end
+        namesake.terminate()
+        namesake.wait()
+        self.status.items.clear()
+        self.start()
         self.assertTrue(self.comes(lambda status: len(status.stay_within.points) == 4 and len(status.keep_out) == 1), '[FLT-2]')
 
     # [EXP-10] [FLT-2]

@@ -152,6 +152,11 @@ void ExplorerMemory::end() {
   text_.end(!stops.stops);
 }
 
+void ExplorerMemory::leave() {
+  ended_ = true;
+  text_.end(false);
+}
+
 std::string ExplorerMemory::keep() {
   if (is_damaged_) return {};  // the next process has to stand, too, until the bounds are set anew
   const std::string problem = text_.set(toText(orders_));

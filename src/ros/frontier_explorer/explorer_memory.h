@@ -56,6 +56,8 @@ class ExplorerMemory {
   void keepStops(std::uint64_t stops);
   /// A regular end: forgets all but the stops.
   void end();
+  /// An end that is none of the launch: all stays for the next explorer.
+  void leave();
 
  private:
   std::string keep();

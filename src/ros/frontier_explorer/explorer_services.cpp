@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ros/common/master/registration.h"
 #include "ros/common/throttled_log.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
@@ -59,6 +60,14 @@ void FrontierExplorerAdapter::remember() {
   if (!enabled_ || earlier_stops_.asks() || !arbiter_.has()) return;
   const bool stopped = stopped_ || arbiter_.get()->emergency_stop != 0;
   memory_->keepStops(stopped ? ExplorerOrders::kStopped : arbiter_.get()->stops);
+}
+
+void FrontierExplorerAdapter::sayLastWords() {
+  navigation_.cancel();
+  paused_->end();
+  if (!nameIsTaken()) return memory_->end();
+  ROS_WARN("another process has this node's name: the orders are left for the explorer that is started after it");
+  memory_->leave();
 }
 
 bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {

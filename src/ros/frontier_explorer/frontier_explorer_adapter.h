@@ -39,11 +39,7 @@ class FrontierExplorerAdapter {
  public:
   FrontierExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   /// Cancels the goal: otherwise the robot would go on driving to it without an explorer.
-  void sayLastWords() {
-    navigation_.cancel();
-    paused_->end();
-    memory_->end();
-  }
+  void sayLastWords();
 
  private:
   /// What became of new bounds, in words.
