@@ -93,6 +93,7 @@ void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time no
 void Explorer::Impl::standUntilItCanDrive(const std::string& what, Time now) {
   const std::string text = std::string(toString(ExplorerReason::kNavigationUnable)) + ": " + what;
   note(true, "exploration waits for the navigation: " + what);
+  goal_pose_.reset();
   enter(ExplorerState::kIdle, ExplorerReason::kNavigationUnable, text, now);
 }
 

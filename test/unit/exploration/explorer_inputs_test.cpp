@@ -104,6 +104,7 @@ TEST_F(ExplorerInputsTest, ANavigationThatCanDriveNowhereIsWaitedForAndNoFaultOf
   EXPECT_EQ(output.status.state, State::kIdle);
   EXPECT_EQ(output.status.reason, Reason::kNavigationUnable);
   EXPECT_NE(output.status.reason_text.find("no scan"), std::string::npos) << output.status.reason_text;
+  EXPECT_FALSE(explorer.goal());
   EXPECT_EQ(output.status.goals_failed, 0U);
   EXPECT_GE(output.status.goals_sent, 50U) << "it is tried every five seconds";
   EXPECT_LE(output.status.goals_sent, 60U) << "and not more often";
