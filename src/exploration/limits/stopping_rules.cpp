@@ -47,7 +47,7 @@ void StoppingRules::startOver(const State& state) {
   time_ = {};
   distance_ = 0.0;
   area_before_ = state.explored_area;
-  share_counts_ = !state.share || *state.share < until_.share;
+  share_counts_ = !state.share_estimated || !state.share || *state.share < until_.share;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "exploration/limits/stopping_rules.h"
 #include "explorer_fixture.h"
 
 namespace frontier_pilot {
@@ -98,6 +99,17 @@ TEST_F(UntilShare, EndsAsSoonAsTheEstimateSaysSoAndGoesOnWhenStartedAgain_EXP_10
   tick();
   inputs.start = false;
   EXPECT_EQ(tickFor(5.0).status.state, State::kNavigating) << "the same share does not end it at once";
+}
+
+// [EXP-10]
+TEST(StoppingRules, CountTheShareAgainAfterAResetWhereNothingWasLeft_EXP_10) {
+  exploration::UntilParameters until;
+  until.share = 0.9;
+  exploration::StoppingRules rules(until);
+  rules.startOver({100.0, 1.0, false, {}});
+  EXPECT_EQ(rules.met({200.0, 0.95, true, {}}), Reason::kUntilShare);
+  rules.startOver({200.0, 0.95, true, {}});
+  EXPECT_FALSE(rules.met({210.0, 0.96, true, {}})) << "a share that is explored already ends nothing";
 }
 
 // [EXP-10]
