@@ -132,12 +132,13 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalReached, "", now);
     case GoalEvent::Kind::kPreempted:
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalPreempted, event.text, now);
+    case GoalEvent::Kind::kUnable:
+      if (isWorthWaitingFor(goal)) return standUntilItCanDrive(event.text, now);
+      [[fallthrough]];
     case GoalEvent::Kind::kAborted:
     case GoalEvent::Kind::kRejected:
       goalFailed(goal, event.text);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
-    case GoalEvent::Kind::kUnable:
-      return standUntilItCanDrive(event.text, now);
   }
 }
 
@@ -186,7 +187,10 @@ void Explorer::Impl::send(Goal goal, ExplorerReason reason, const std::string& t
   goal.sent_from = T_map_base_->position();
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
-  if (goal.purpose != Goal::Purpose::kReturn) done_reason_.reset();
+  if (goal.purpose != Goal::Purpose::kReturn) {
+    done_reason_.reset();
+    vain_returns_ = 0;
+  }
   goal_ = goal;
   patience_.emplace(goal.sent_from, secondsTo(stop), meanSpeed(parameters_.robot.limits), now);
   goal_pose_ = Pose2(stop, goal.on_the_way ? bearing(goal.position - stop) : goal.yaw);

@@ -95,6 +95,7 @@ class Explorer::Impl {
   void standFor(ExplorerReason reason, Time now);
   void stopFor(const std::vector<ExplorerReason>& missing, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
+  bool isWorthWaitingFor(const Goal& goal);
   void standUntilItCanDrive(const std::string& what, Time now);
   bool waitsForNavigation(Time now) const;
   void handleEvent(const GoalEvent& event, Time now);
@@ -198,6 +199,7 @@ class Explorer::Impl {
   bool was_running_ = false;
   bool bounds_changed_ = false;  ///< since the last tick
   int step_backs_ = 0;
+  int vain_returns_ = 0;  ///< attempts to return, one after the other, in which the navigation could not drive
   const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
   std::optional<ExplorerReason> ended_by_;     ///< the stopping rule, until started again
   std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start

@@ -146,6 +146,7 @@ void Explorer::Impl::evaluateArrival(Time now) {
   if (done_reason_) {
     arrived_.reset();
     goal_pose_.reset();
+    vain_returns_ = 0;
     enter(ExplorerState::kDone, *done_reason_, "", now);
     done_reason_.reset();
     return;

@@ -88,6 +88,13 @@ void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time no
   }
 }
 
+/// Whether the robot waits until the navigation can drive to `goal`. The way back is given up after a minute or more:
+/// the exploration is done only after it, and the map is saved only then. Counts the attempts. [EXP-10]
+bool Explorer::Impl::isWorthWaitingFor(const Goal& goal) {
+  constexpr int kMostReturns = 12;
+  return goal.purpose != Goal::Purpose::kReturn || ++vain_returns_ <= kMostReturns;
+}
+
 /// A goal that the navigation gave up for no fault of the goal has not failed: any other would have ended in the same
 /// way. [EXP-8]
 void Explorer::Impl::standUntilItCanDrive(const std::string& what, Time now) {
