@@ -90,6 +90,10 @@ class WaypointFollower {
   WaypointOutput abortByClockJump() {
     return active() ? end(WaypointOutcome::kNavigationGone, "aborted: the clock jumped") : unchanged();
   }
+  /// Ends them because another map is there now, on which they mean other places.
+  WaypointOutput abortByMap() {
+    return active() ? end(WaypointOutcome::kNavigationUnable, "aborted: the map was replaced") : unchanged();
+  }
   WaypointOutput cancel() { return active() ? end(WaypointOutcome::kCanceled, "canceled") : unchanged(); }
 
   bool active() const { return outcome_ == WaypointOutcome::kRunning; }

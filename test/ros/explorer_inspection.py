@@ -6,6 +6,7 @@ import rospy
 import rostest
 from frontier_pilot.msg import ExplorerStatus as Status
 from geometry_msgs.msg import PoseStamped
+from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 from explorer_case import ExplorerCase
@@ -58,6 +59,25 @@ class ExplorerInspection(ExplorerCase):
         self.assertTrue(wait_for(lambda: not self.status.last.to_inspect))
         answer = call('frontier_explorer/clear_inspections', Trigger)
         self.assertIn('nothing changed', answer.message)
+
+    # [EXP-10] [MAP-5]
+    def test_a_pose_does_not_outlive_the_map_on_which_it_was_asked_for(self):
+        replaced = rospy.Publisher('mapper/replaced', String, queue_size=1)
+        self.addCleanup(replaced.unregister)
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.explore(inspect={'detour': 20.0})
+        self.assertTrue(wait_for(lambda: replaced.get_num_connections() > 0))
+        self.ask(1.0, 0.3)
+        self.assertTrue(self.comes(lambda status: len(status.to_inspect) == 1))
+        replaced.publish('floor.yaml loaded')
+        self.assertTrue(wait_for(lambda: not self.status.last.to_inspect), '[MAP-5]')
+        self.robot.goals.clear()
+        self.robot.held.clear()
+        self.expect_done(Status.NO_REACHABLE_FRONTIER)
+        self.assertFalse(self.was_at(1.0, 0.3), self.robot.goals)
+        self.assertEqual((0, 0), (self.status.last.inspected, self.status.last.inspections_failed))
+        self.assertIn('1 poses are not inspected any more: floor.yaml loaded', self.node.said())
 
     # [EXP-9]
     def test_the_status_says_of_each_frontier_its_gain_cost_place_and_owner_or_why_it_is_out(self):

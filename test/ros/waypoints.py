@@ -12,9 +12,10 @@ from frontier_pilot.msg import FollowWaypointsAction, FollowWaypointsGoal, Follo
 from geometry_msgs.msg import PoseArray, PoseStamped
 from move_base_msgs.msg import MoveBaseAction
 from nav_msgs.msg import Odometry
+from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
-from wire import Record, call, clear, emergency_stop, wait_for
+from wire import Record, call, clear, emergency_stop, hears, wait_for
 
 # In the room where the robot starts, which is the origin.
 NEAR, MIDDLE, FAR = (0.4, 0.0), (0.9, 0.0), (1.4, 0.0)
@@ -193,6 +194,21 @@ class WaypointsOnTheWire(unittest.TestCase):
         self.start_driving()
         self.assertEqual('0 waypoints taken back', call('waypoint_follower/clear', Trigger).message)
         self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE)  # those of an action are of somebody else
+
+    def test_do_not_outlive_the_map_on_which_they_were_given(self):  # [NAV-5] [MAP-5]
+        add = rospy.Publisher('waypoint_follower/add', PoseStamped, queue_size=10)
+        replaced = rospy.Publisher('mapper/replaced', String, queue_size=1)
+        self.addCleanup(replaced.unregister)
+        self.assertTrue(wait_for(lambda: add.get_num_connections() > 0 and hears('/waypoint_follower', '/mapper/replaced')))
+        add.publish(pose(FAR if self.at()[0] < 0.7 else NEAR))
+        add.publish(pose(MIDDLE))
+        self.assertTrue(wait_for(lambda: self.collected.last and len(self.collected.last.poses) == 2))
+        self.assertTrue(wait_for(lambda: call('waypoint_follower/start', Trigger).success, 5.0))
+        self.assertTrue(wait_for(self.moves, 20.0))
+        replaced.publish('floor.yaml loaded')
+        self.assertTrue(wait_for(lambda: not self.collected.last.poses), '[MAP-5]')
+        self.assertEqual('no waypoints were added', call('waypoint_follower/start', Trigger).message)
+        self.expect_standstill()
 
 
 if __name__ == '__main__':

@@ -17,13 +17,25 @@ void FrontierExplorerAdapter::handleInspect(const geometry_msgs::PoseStamped& ms
                                                  << explorer_.inspections().size() << " poses wait");
 }
 
-bool FrontierExplorerAdapter::handleClearInspections(std_srvs::Trigger::Request&,
-                                                     std_srvs::Trigger::Response& response) {
+/// Gives how many have waited.
+std::size_t FrontierExplorerAdapter::takeBackInspections() {
   const std::size_t waiting = explorer_.inspections().size();
   explorer_.clearInspections();
   markers_due_ = true;
   last_status_.reset();
-  tick();  // so that a goal to one of them is cancelled before the caller is answered
+  tick();  // so that a goal to one of them is cancelled before a caller is answered
+  return waiting;
+}
+
+/// They were places on the map of before. [MAP-5]
+void FrontierExplorerAdapter::handleReplaced(const std_msgs::String& msg) {
+  const std::size_t waiting = takeBackInspections();
+  if (waiting > 0) THROTTLED_WARN(waiting << " poses are not inspected any more: " << msg.data);
+}
+
+bool FrontierExplorerAdapter::handleClearInspections(std_srvs::Trigger::Request&,
+                                                     std_srvs::Trigger::Response& response) {
+  const std::size_t waiting = takeBackInspections();
   response.success = 1U;
   response.message = waiting == 0
                          ? "nothing waits to be inspected: nothing changed"

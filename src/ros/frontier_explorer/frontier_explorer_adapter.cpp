@@ -39,6 +39,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
   connections_.subscribeToCommands(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
   connections_.subscribeToCommands(names::kInspect, 20, &FrontierExplorerAdapter::handleInspect, this);
+  connections_.subscribe(names::kMapReplaced, 1, &FrontierExplorerAdapter::handleReplaced, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);

@@ -9,6 +9,7 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/BatteryState.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -54,6 +55,7 @@ class FrontierExplorerAdapter {
   void handleArbiter(const ArbiterStatus& msg);
   void handleClick(const geometry_msgs::PointStamped& msg);
   void handleInspect(const geometry_msgs::PoseStamped& msg);
+  void handleReplaced(const std_msgs::String& msg);
   bool handleClearInspections(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleExplain(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -61,6 +63,7 @@ class FrontierExplorerAdapter {
   bool handleSetBounds(SetBounds::Request& request, SetBounds::Response& response);
   bool handleClearBounds(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  std::size_t takeBackInspections();
   void addServices();
   void resume();
   void remember();

@@ -14,6 +14,7 @@
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/BatteryState.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
@@ -36,6 +37,7 @@ NodeUsage frontierExplorerUsage() {
                  port<nav_msgs::Odometry>(names::kOdom),
                  port<std_msgs::Bool>(names::kEmergencyStopState),
                  port<std_msgs::Bool>(names::kLocalized),
+                 port<std_msgs::String>(names::kMapReplaced),
                  port<ArbiterStatus>(names::kArbiterStatus),
                  port<geometry_msgs::PointStamped>(names::kClickedPoint),
                  port<geometry_msgs::PoseStamped>(names::kInspect),

@@ -50,6 +50,15 @@ bool WaypointFollowerAdapter::handleClear(Trigger::Request&, Trigger::Response& 
   return true;
 }
 
+/// They were places on the map of before, whoever has given them. [MAP-5]
+void WaypointFollowerAdapter::handleReplaced(const std_msgs::String& msg) {
+  put(follower_.abortByMap());
+  if (collected_.empty()) return;
+  THROTTLED_WARN(collected_.size() << " collected waypoints are dropped: " << msg.data);
+  collected_.clear();
+  publishCollected();
+}
+
 void WaypointFollowerAdapter::publishCollected() {
   geometry_msgs::PoseArray msg;
   msg.header.stamp = toRosTime(rosNow());

@@ -27,6 +27,7 @@ WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::Nod
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   connections_.followStop(&WaypointFollowerAdapter::handleStop, this);
   connections_.subscribeToCommands(names::kAddWaypoint, 20, &WaypointFollowerAdapter::handleAdd, this);
+  connections_.subscribe(names::kMapReplaced, 1, &WaypointFollowerAdapter::handleReplaced, this);
   connections_.serve(names::kStartWaypoints, &WaypointFollowerAdapter::handleStart, this);
   connections_.serve(names::kClearWaypoints, &WaypointFollowerAdapter::handleClear, this);
   connections_.every(ros::Duration(kPeriod), [this] { tick(); });

@@ -5,6 +5,7 @@
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 
 #include <string>
@@ -42,6 +43,7 @@ class WaypointFollowerAdapter {
   void handleAdd(const geometry_msgs::PoseStamped& msg);
   bool handleStart(Trigger::Request& request, Trigger::Response& response);
   bool handleClear(Trigger::Request& request, Trigger::Response& response);
+  void handleReplaced(const std_msgs::String& msg);
   void publishCollected();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 

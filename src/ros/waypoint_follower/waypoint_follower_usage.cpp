@@ -6,6 +6,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 
 #include "ros/common/names.h"
@@ -20,7 +21,8 @@ NodeUsage waypointFollowerUsage() {
       "Drives through waypoints in their order, each a goal of move_base: those of an action, or those that were\n"
       "collected one by one, as rviz publishes them.";
   usage.reads = {port<geometry_msgs::PoseStamped>(names::kAddWaypoint),
-                 port<std_msgs::Bool>(names::kEmergencyStopState), port<ArbiterStatus>(names::kArbiterStatus)};
+                 port<std_msgs::Bool>(names::kEmergencyStopState), port<ArbiterStatus>(names::kArbiterStatus),
+                 port<std_msgs::String>(names::kMapReplaced)};
   usage.publishes = {port<geometry_msgs::PoseArray>(names::kWaypoints)};
   usage.services = {servicePort<std_srvs::Trigger>(names::kStartWaypoints),
                     servicePort<std_srvs::Trigger>(names::kClearWaypoints)};

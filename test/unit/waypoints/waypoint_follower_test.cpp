@@ -129,6 +129,17 @@ TEST_F(Waypoints, EndWithANavigationThatCanDriveNowhere) {
   EXPECT_FALSE(update().send) << "nothing goes on when it can drive again";
 }
 
+// [NAV-5] [MAP-5]
+TEST_F(Waypoints, EndWithTheMapThatTheyWereMeantFor) {
+  EXPECT_FALSE(follower_.abortByMap().ended);
+  follower_.start(3, now_);
+  ASSERT_TRUE(update().send);
+  const WaypointOutput output = follower_.abortByMap();
+  EXPECT_TRUE(output.ended && output.cancel);
+  EXPECT_EQ(output.outcome, WaypointOutcome::kNavigationUnable);
+  EXPECT_EQ(output.text, "aborted: the map was replaced");
+}
+
 // [NAV-5]
 TEST_F(Waypoints, WaitForANavigationThatIsRestartedAndSendTheGoalAgain) {
   follower_.start(2, now_);
