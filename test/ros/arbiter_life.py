@@ -201,6 +201,7 @@ class ArbiterLife(unittest.TestCase):
         over_tcp = slave.requestTopic('/test', '/called/cmd_vel', datagrams + [['TCPROS']])
         self.assertEqual([over_tcp[0], over_tcp[2][0]], [1, 'TCPROS'])
         self.assertEqual(slave.requestTopic('/test', '/nobodys', [['TCPROS']])[0], 0)
+        self.assertEqual(slave.shutdown('/test')[0], 0, 'without a reason')
         self.assertFalse(wait_for(node.has_ended, 1.0), '[FLT-1]')
         self.assertTrue(call('/called/emergency_stop', Trigger).success)
 

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 
+import rosgraph
 import rospy
 import rostest
 from frontier_pilot.srv import LoadMap, SaveMap
@@ -14,7 +15,7 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
 from mapper_case import SMALL, MapperCase, kept_maps, newest_map
-from wire import Node, Record, call, use_a_home_of_its_own, wait_for
+from wire import Node, Record, call, free_port, use_a_home_of_its_own, wait_for
 
 JUMP = 3.0  # of odometry [m]
 
@@ -121,21 +122,37 @@ class MapperResume(MapperCase):
         self.assertTrue(call('mapper/load_map', LoadMap, saved).success)
         self.assertTrue(wait_for(lambda: self.known() > 0.95 * room), '[FLT-2]')
 
-    def test_a_mapper_that_a_node_of_its_name_replaces_leaves_its_map_for_the_next_one(self):  # [FLT-2]
+    def lose_the_name(self, take_it):
+        """Maps until the master ends the mapper, because `take_it()` registers its name. Gives the number of known cells."""
         mapper = self.start()
         self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
-        before = self.known()
-        namesake = subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('mapper'); rospy.spin()"])
-        self.addCleanup(namesake.wait)
-        self.addCleanup(namesake.terminate)
-        mapper.finish(20.0)  # the master has told it to end
-        kept = newest_map()
+        known, kept = self.known(), newest_map()
+        take_it()
+        mapper.finish(20.0)
         self.assertTrue(os.path.exists(kept) and os.path.exists(kept + '.bt'), '[FLT-2]')
-        namesake.terminate()
-        namesake.wait()
+        return known
+
+    def assert_the_next_mapper_has(self, known):
         self.forget_the_map()
         self.start()
-        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * before, 20.0), '[FLT-2]')
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * known, 20.0), '[FLT-2]')
+
+    def test_a_mapper_that_a_node_of_its_name_replaces_leaves_its_map_for_the_next_one(self):  # [FLT-2]
+        namesakes = []
+
+        def take_it():
+            namesakes.append(subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('mapper'); rospy.spin()"]))
+            self.addCleanup(namesakes[0].wait)
+            self.addCleanup(namesakes[0].terminate)
+        known = self.lose_the_name(take_it)
+        namesakes[0].terminate()
+        namesakes[0].wait()
+        self.assert_the_next_mapper_has(known)
+
+    def test_a_mapper_leaves_its_map_also_if_the_node_of_its_name_ended_before_it(self):  # [FLT-2]
+        ended = 'http://127.0.0.1:%d/' % free_port()
+        self.assert_the_next_mapper_has(self.lose_the_name(
+            lambda: rosgraph.Master('/mapper').registerPublisher('/its_topic', 'std_msgs/Bool', ended)))
 
     def test_a_map_without_a_known_cell_is_not_missed(self):  # [FLT-2]
         mapper = self.start()

@@ -50,7 +50,7 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
 void MapperAdapter::sayLastWords() {
   if (restored_) return;  // nobody has continued with the copy that is there
   if (nameIsTaken()) {
-    ROS_WARN("another process has this node's name: the map is left for the mapper that is started after it");
+    ROS_WARN("another process took this node's name: the map is left for the mapper that is started after it");
     return;
   }
   // The thread that saves may hang as well as this one.

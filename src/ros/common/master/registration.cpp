@@ -8,6 +8,7 @@
 #include <ros/xmlrpc_manager.h>
 
 #include "ros/common/master/master_state.h"
+#include "ros/common/master/slave_api.h"
 #include "ros/common/master/xml_rpc.h"
 
 namespace frontier_pilot {
@@ -58,6 +59,7 @@ std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic) 
 std::uint32_t tcpPort() { return ros::ConnectionManager::instance()->getTCPPort(); }
 
 bool nameIsTaken() {
+  if (isReplaced()) return true;
   const std::string uri = uriOf(ros::this_node::getName());
   std::string host;
   std::uint32_t port = 0;

@@ -13,8 +13,8 @@ using UrisByTopic = std::map<std::string, std::set<std::string>>;
 
 /// The port at which this node takes connections of topics and services.
 std::uint32_t tcpPort();
-/// Whether the master has another process under this node's name, and that process answers. To register that name
-/// would make the master shut the other one down.
+/// Whether the master has another process under this node's name, and that process answers, or has shut this node down
+/// for one. To register that name would make the master shut the other one down.
 bool nameIsTaken();
 /// Registers this node at the master again, for a publisher or service that it already has; roscpp itself registers
 /// only once. Names are resolved. Existing connections stay as they are. False if the master does not accept it.

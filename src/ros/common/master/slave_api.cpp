@@ -1,9 +1,12 @@
 #include "ros/common/master/slave_api.h"
 
+#include <ros/console.h>
+#include <ros/init.h>
 #include <ros/network.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <atomic>
 #include <string>
 
 #include "ros/common/master/registration.h"
@@ -13,6 +16,8 @@ namespace frontier_pilot {
 namespace {
 
 using Value = XmlRpc::XmlRpcValue;
+
+std::atomic<bool> g_replaced{false};  ///< set on roscpp's thread
 
 void refuse(Value& result, const std::string& why) {
   result[0] = 0;
@@ -42,13 +47,29 @@ void requestTopic(Value& arguments, Value& result) {
   result[2][2] = static_cast<int>(tcpPort());
 }
 
+/// `arguments` are the caller's name and why this node is to end, which roscpp only logs.
+void shutDown(Value& arguments, Value& result) {
+  if (arguments.getType() != Value::TypeArray || arguments.size() < 2) return refuse(result, "no reason is given");
+  const std::string reason = arguments[1];
+  ROS_WARN_STREAM("ROS shuts this node down: " << reason);
+  if (reason.find("new node registered with same name") != std::string::npos) g_replaced = true;
+  ros::requestShutdown();
+  result[0] = 1;
+  result[1] = std::string();
+  result[2] = 0;
+}
+
 }  // namespace
+
+bool isReplaced() { return g_replaced; }
 
 void replaceHarmfulMethods() {
   const ros::XMLRPCManagerPtr& api = ros::XMLRPCManager::instance();
-  api->unbind(
-      "requestTopic");  // first: unlike bind, it asks roscpp's thread for the lock, which that holds nearly always
+  // First: unlike bind, unbind asks roscpp's thread for the lock, which that holds nearly always.
+  api->unbind("requestTopic");
   api->bind("requestTopic", requestTopic);
+  api->unbind("shutdown");
+  api->bind("shutdown", shutDown);
   api->bind("system.multicall", refuseMulticall);
 }
 
