@@ -3,7 +3,7 @@
 
 scripts/run asks it before it launches: a second simulator would set simulated time for that robot, and the exploration would
 start there. Whoever publishes a topic clock, map, odom or scan, or a laser scan, odometry or a clock under any other name, and
-whoever drives by a topic cmd_vel, is a reason, in any namespace; a roscore, rviz, rqt or rostopic is none.
+whoever drives by a topic cmd_vel, is a reason, in any namespace; a roscore, rviz, rqt, rostopic or teleop_gui is none.
 
 Exit code: 0 if nothing of this kind runs there, 1 if it does, or if the master does not answer: why, and what to do, is printed;
 2 for wrong arguments.
@@ -21,7 +21,7 @@ if __name__ == '__main__':
 TELLING = {'clock', 'map', 'odom', 'scan'}  # the last word of a topic that is published
 TELLING_TYPES = {'rosgraph_msgs/Clock', 'nav_msgs/Odometry', 'sensor_msgs/LaserScan'}
 COMMANDS = 'cmd_vel'  # the last word of a topic that a base listens to
-ONLOOKERS = ('/rostopic_', '/rqt', '/rviz', '/record_')  # how the names of nodes begin that only show what they hear
+ONLOOKERS = ('rostopic_', 'rqt', 'rviz', 'record_', 'teleop_gui')  # how the last words of nodes begin that only show what they hear
 PATIENCE = 4.0  # for the answer of the master [s]
 ADVICE = 'end it first%s, or choose another port for this run: export ROS_MASTER_URI=http://127.0.0.1:PORT'
 
@@ -37,7 +37,7 @@ def reason_at(uri):
     except Exception:  # what the library throws depends on what answers there
         return None  # roslaunch starts a master, or says what is wrong with the address
     told_by_name = [one for one in published if last_word(one[2]) in TELLING] + [
-        one for one in heard if last_word(one[2]) == COMMANDS and not one[0].startswith(ONLOOKERS)]
+        one for one in heard if last_word(one[2]) == COMMANDS and not last_word(one[0]).startswith(ONLOOKERS)]
     if told_by_name:
         return told_by_name[0]
     types = types_at(master) if published else {}
@@ -52,8 +52,8 @@ def types_at(master):
         return {}
 
 
-def last_word(topic):
-    return topic.split('/')[-1]
+def last_word(name):
+    return name.split('/')[-1]
 
 
 def within(seconds, work):

@@ -62,6 +62,12 @@ class Masters(unittest.TestCase):
                 self.assertRegex(said, '^/base listens to %s at the ROS master ' % topic)
         self.assertEqual(self.problem_of(subscribers=[['/cmd_vel', ['/rostopic_1_2', '/rqt_plot']], ['/cmd', ['/a']]]), '')
 
+    def test_a_window_of_the_operator_that_shows_the_commands_is_no_base(self):
+        for window in ('/teleop_gui', '/robot1/teleop_gui', '/rviz', '/x/rviz', '/x/rviz_1700000000'):
+            with self.subTest(window=window):
+                self.assertEqual(self.problem_of(subscribers=[['/cmd_vel', [window]]]), '')
+        self.assertIn('/rviz/base listens', self.problem_of(subscribers=[['/cmd_vel', ['/teleop_gui', '/rviz/base']]]))
+
     def test_a_roscore_rviz_and_rqt_are_no_reason(self):
         self.assertEqual(self.problem_of(['/rosout_agg', ['/rosout']], ['/initialpose', ['/rviz']], ['/map_updates', ['/rqt']],
                                          ['/scan', []], ['/bitmap', ['/rqt']]), '')
