@@ -120,6 +120,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   if (!goal_ || goal_->id != event.goal_id) return;  // the event belongs to a goal that has been replaced
   const Goal goal = *goal_;
   goal_.reset();
+  if (event.kind == GoalEvent::Kind::kReached) unable_at_.reset();
   if (event.kind == GoalEvent::Kind::kReached && goal.on_the_way) return stopReached(goal, now);
   switch (event.kind) {
     case GoalEvent::Kind::kReached:

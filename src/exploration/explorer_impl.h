@@ -185,6 +185,7 @@ class Explorer::Impl {
   ChosenGoal chosen_;  ///< at the last decision; without a goal its members are empty
   std::optional<Pose2> start_;
   std::optional<Pose2> T_map_base_;
+  std::optional<Vec2> unable_at_;  ///< where the navigation could drive nowhere [m], until it has driven again
   std::optional<double> battery_;
   /// A decision about a large map takes seconds; what is longer was no time that passed.
   static constexpr Duration kLongestTick = std::chrono::seconds(30);

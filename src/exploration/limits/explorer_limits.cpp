@@ -14,7 +14,7 @@ void Explorer::Impl::setBounds(const ExplorationBounds& bounds, const OccupancyG
 
 /// Counts what has passed since the last tick, if the robot was exploring then. [EXP-10]
 void Explorer::Impl::countExploring(double driven, Time now) {
-  const bool explores = status_.state != ExplorerState::kIdle && status_.state != ExplorerState::kDone;
+  const bool explores = status_.state != ExplorerState::kIdle && status_.state != ExplorerState::kDone && !unable_at_;
   if (explores && last_update_) rules_.count(sinceLastTick(now), driven);
 }
 

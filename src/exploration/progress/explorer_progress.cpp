@@ -14,6 +14,8 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs, Time now) {
   const double driven = parameters_.robot.limits.max_linear * toSeconds(sinceLastTick(now));
   if (moved < driven + kJump) status_.distance_travelled += moved;
   T_map_base_ = pose;
+  constexpr double kDrives = 0.1;  // [m]: more than the pose of a robot that stands wanders
+  if (unable_at_ && (pose.position() - *unable_at_).norm() >= kDrives) unable_at_.reset();
 }
 
 /// What has passed by the clock, but for its jumps.

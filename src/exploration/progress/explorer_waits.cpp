@@ -96,8 +96,10 @@ bool Explorer::Impl::isWorthWaitingFor(const Goal& goal) {
 }
 
 /// A goal that the navigation gave up for no fault of the goal has not failed: any other would have ended in the same
-/// way. [EXP-8]
+/// way. Until the robot has driven again it claims nothing, and its attempts are no time of the exploration. [EXP-8]
+/// [MUL-2]
 void Explorer::Impl::standUntilItCanDrive(const std::string& what, Time now) {
+  unable_at_ = T_map_base_->position();
   const std::string text = std::string(toString(ExplorerReason::kNavigationUnable)) + ": " + what;
   note(true, "exploration waits for the navigation: " + what);
   goal_pose_.reset();

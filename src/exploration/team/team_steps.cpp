@@ -35,7 +35,7 @@ void Explorer::Impl::noteClaims() {
 
 std::vector<Claim> Explorer::Impl::claims() const {
   const bool explores = status_.state != ExplorerState::kIdle && status_.state != ExplorerState::kDone && !ended_by_ &&
-                        !done_reason_ && status_.reason != ExplorerReason::kRobotOutOfBounds;
+                        !done_reason_ && status_.reason != ExplorerReason::kRobotOutOfBounds && !unable_at_;
   if (!explores || !last_update_) return {};
   std::vector<Claim> claims = claims_;
   for (Claim& claim : claims) claim.cost = std::max(0.0, claim.cost - toSeconds(*last_update_ - claims_at_));

@@ -196,5 +196,22 @@ TEST_F(SharedWorkTest, ARobotThatHasEndedClaimsNothing_MUL_2) {
   EXPECT_TRUE(explorer.claims().empty());
 }
 
+// [MUL-2] [EXP-8] [EXP-10]
+TEST_F(SharedWorkTest, ARobotThatCannotDriveClaimsNothingAndItsTimeDoesNotCountUntilItHasDriven_MUL_2_EXP_8) {
+  show(kTwoEnds);
+  const double before = tickFor(1.0).status.exploring_time;
+  ASSERT_EQ(explorer.claims().size(), 2U);
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    goalEnds(exploration::GoalEvent::Kind::kUnable, "no scan");
+    const exploration::ExplorerOutput output = tickFor(20.0);  // it waits for a while, and tries again
+    ASSERT_EQ(output.status.state, State::kNavigating);
+    EXPECT_TRUE(explorer.claims().empty());
+    EXPECT_NEAR(output.status.exploring_time, before, 0.2);
+  }
+  pose.x -= 0.2;
+  EXPECT_GT(tickFor(1.0).status.exploring_time, before + 0.8);
+  EXPECT_EQ(explorer.claims().size(), 2U);
+}
+
 }  // namespace
 }  // namespace frontier_pilot
