@@ -93,7 +93,7 @@ class Explorer::Impl {
   bool ready(const ExplorerInputs& inputs, Time now);
   /// Cancels the goal and waits.
   void standFor(ExplorerReason reason, Time now);
-  void stopFor(const std::vector<ExplorerReason>& missing, Time now);
+  void stopFor(const std::string& missing, ExplorerReason first, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
   bool isWorthWaitingFor(const Goal& goal);
   void standUntilItCanDrive(const std::string& what, Time now);

@@ -49,7 +49,7 @@ constexpr std::array kReasonTexts = {
     "what is left is another robot's",
     "the emergency stop is latched",
     "the robot is not localised on the map",
-    "the navigation is disabled at the arbiter",
+    "the arbiter does not heed the navigation",
     "the navigation gave the goal up",
 };
 static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kNavigationUnable) + 1);

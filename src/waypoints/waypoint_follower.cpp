@@ -9,6 +9,12 @@ std::string listed(const std::vector<std::size_t>& waypoints) {
   return text;
 }
 
+/// A failure is no fault of the place while the arbiter does not heed the navigation.
+LegEnd judged(const LegEnd& ended, const std::string& refused) {
+  if (ended.kind != LegEnd::Kind::kFailed || refused.empty()) return ended;
+  return {ended.leg, LegEnd::Kind::kUnable, ended.text + ", without the arbiter's leave to drive (" + refused + ")"};
+}
+
 }  // namespace
 
 std::string WaypointFollower::inWords(std::size_t waypoint) const {
@@ -50,7 +56,7 @@ WaypointOutput WaypointFollower::update(const WaypointInputs& inputs, Time now) 
   if (!active()) return unchanged();
   if (inputs.emergency_stop) return end(WaypointOutcome::kEmergencyStop, "aborted: emergency stop");
   for (const LegEnd& ended : inputs.ended) {
-    if (const auto output = take(ended)) return *output;
+    if (const auto output = take(judged(ended, inputs.navigation_refused))) return *output;
   }
   if (inputs.navigation_up || now < *up_) up_ = now;  // the clock may have been set back
   if (!inputs.navigation_up) {

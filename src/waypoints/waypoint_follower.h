@@ -58,7 +58,8 @@ struct LegEnd {
 struct WaypointInputs {
   bool navigation_up = false;  ///< move_base is served now
   bool emergency_stop = false;
-  std::vector<LegEnd> ended;  ///< since the last update
+  std::string navigation_refused;  ///< why the arbiter does not heed its commands; empty: it does
+  std::vector<LegEnd> ended;       ///< since the last update
 };
 
 /// A goal that is to be sent.

@@ -57,6 +57,24 @@ class ExplorerSilence(ExplorerCase):
         nav.enabled = False
         self.expect_reason(Status.NAVIGATION_DISABLED)
 
+    # [EXP-8] [ARB-12]
+    def test_it_waits_while_the_arbiter_stands_because_a_stranger_offers_its_services(self):
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.robot.odometry_lives, self.robot.odometry_ahead = True, 0.0
+        arbiter = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        nav = ArbiterSource(name='nav', topic='/cmd_vel_nav', enabled=True)
+        status = ArbiterStatus(state=ArbiterStatus.CONTESTED, sources=[nav])
+        timer = rospy.Timer(rospy.Duration(0.5), lambda _: arbiter.publish(status))
+        self.addCleanup(timer.shutdown)
+        self.explore()
+        self.expect_reason(Status.NAVIGATION_DISABLED)
+        self.assertIn('emergency stop', self.status.last.reason_text)
+        self.assertEqual(0, self.status.last.goals_failed)
+        status.state = ArbiterStatus.IDLE
+        self.status.items.clear()
+        self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING), self.status.last)
+
 
 if __name__ == '__main__':
     rospy.init_node('explorer_silence_test')

@@ -8,6 +8,7 @@ import rosnode
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from frontier_pilot.msg import ArbiterSource, ArbiterStatus
 from frontier_pilot.msg import FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult
 from geometry_msgs.msg import PoseArray, PoseStamped
 from move_base_msgs.msg import MoveBaseAction
@@ -40,6 +41,15 @@ class WaypointsOnTheWire(unittest.TestCase):
         cls.client = actionlib.SimpleActionClient('follow_waypoints', FollowWaypointsAction)
         assert cls.client.wait_for_server(rospy.Duration(60.0))
         assert wait_for(lambda: cls.goals.last and cls.odom.last, 60.0)
+        cls.legs, cls.trouble = [], ''
+        cls.navigation = actionlib.SimpleActionServer('elsewhere/move_base', MoveBaseAction, cls.give_up, auto_start=False)
+        cls.navigation.start()
+
+    @classmethod
+    def give_up(cls, goal):
+        """The navigation of the follower elsewhere."""
+        cls.legs.append(goal)
+        cls.navigation.set_aborted(text=cls.trouble)
 
     def setUp(self):
         self.assertTrue(clear())
@@ -135,21 +145,33 @@ class WaypointsOnTheWire(unittest.TestCase):
         self.assertEqual([], list(result.missed_waypoints))
         self.assertTrue(self.is_at(MIDDLE))
 
-    def test_end_when_the_navigation_can_drive_nowhere_which_is_no_fault_of_the_places(self):  # [NAV-5]
-        legs = []
-
-        def give_up(goal):
-            legs.append(goal)
-            navigation.set_aborted(text='not localised')
-        navigation = actionlib.SimpleActionServer('elsewhere/move_base', MoveBaseAction, give_up, auto_start=False)
-        navigation.start()
+    def expect_no_fault_of_the_places(self, trouble):
+        self.legs.clear()
+        type(self).trouble = trouble
+        client = self.client
+        self.addCleanup(setattr, self, 'client', client)
         self.client = actionlib.SimpleActionClient('elsewhere/follow_waypoints', FollowWaypointsAction)
         self.assertTrue(self.client.wait_for_server(rospy.Duration(60.0)))
         self.follow(NEAR, MIDDLE, FAR)
         result = self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.NAVIGATION_UNABLE, 20.0)
-        self.assertIn('not localised', result.error_msg)
+        self.assertIn(trouble, result.error_msg)
         self.assertEqual([], list(result.missed_waypoints))
-        self.assertEqual(1, len(legs))
+        self.assertEqual(1, len(self.legs))
+        return result
+
+    def test_end_when_the_navigation_can_drive_nowhere_which_is_no_fault_of_the_places(self):  # [NAV-5]
+        self.expect_no_fault_of_the_places('not localised')
+
+    def test_end_when_the_navigation_fails_while_the_arbiter_ignores_it(self):  # [NAV-5]
+        arbiter = rospy.Publisher('elsewhere/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        nav = ArbiterSource(name='nav', topic='/elsewhere/cmd_vel_nav', enabled=False)
+        timer = rospy.Timer(rospy.Duration(0.1), lambda _: arbiter.publish(ArbiterStatus(sources=[nav])))
+        self.addCleanup(timer.shutdown)
+        self.assertTrue(wait_for(lambda: arbiter.get_num_connections() > 0))
+        seen = Record('elsewhere/cmd_vel_arbiter/status', ArbiterStatus)
+        self.addCleanup(seen.subscriber.unregister)
+        self.assertTrue(wait_for(lambda: len(seen.items) > 5), 'the follower has heard of it, too')
+        self.assertIn('source nav', self.expect_no_fault_of_the_places('blocked').error_msg)
 
     def test_malformed_ones_are_refused_with_the_reason(self):  # [FLT-1]
         self.client.send_goal(FollowWaypointsGoal(poses=[pose(NEAR), pose((float('nan'), 0.0))]))

@@ -107,7 +107,7 @@ struct ExplorerInputs {
   bool start = false;                ///< go on after a stopping rule has ended the exploration
   bool map_available = true;         ///< the map has a publisher
   bool navigation_available = true;  ///< the move_base server is there
-  bool navigation_enabled = true;    ///< false: the arbiter ignores its commands
+  std::string navigation_refused;    ///< why the arbiter does not heed its commands; empty: it does
   bool localized = true;             ///< false: the mapper says that the robot is not where its pose is
   bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;

@@ -8,7 +8,7 @@ namespace frontier_pilot::exploration {
 namespace {
 
 /// The missing input by the name that users know.
-const char* nameOfMissing(ExplorerReason reason) {
+std::string nameOfMissing(ExplorerReason reason, const ExplorerInputs& inputs) {
   switch (reason) {
     case ExplorerReason::kMapGone:
       return "map";
@@ -19,15 +19,15 @@ const char* nameOfMissing(ExplorerReason reason) {
     case ExplorerReason::kNotLocalized:
       return "the robot's place on the map";
     case ExplorerReason::kNavigationDisabled:
-      return "the arbiter's source nav, which is disabled";
+      return "the arbiter's leave to drive (" + inputs.navigation_refused + ")";
     default:
       return "move_base";
   }
 }
 
-std::string listMissing(const std::vector<ExplorerReason>& missing) {
+std::string listMissing(const std::vector<ExplorerReason>& missing, const ExplorerInputs& inputs) {
   std::string text;
-  for (const ExplorerReason reason : missing) text += (text.empty() ? "" : ", ") + std::string(nameOfMissing(reason));
+  for (const ExplorerReason reason : missing) text += (text.empty() ? "" : ", ") + nameOfMissing(reason, inputs);
   return text;
 }
 
@@ -50,7 +50,7 @@ bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
     last_report_.reset();
     return !yield(inputs, now);
   }
-  if (status_.state != ExplorerState::kDone) stopFor(missing, now);
+  if (status_.state != ExplorerState::kDone) stopFor(listMissing(missing, inputs), missing.front(), now);
   return false;
 }
 
@@ -72,18 +72,18 @@ std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& 
   }
   if (!inputs.localized) missing.push_back(ExplorerReason::kNotLocalized);
   if (!inputs.navigation_available) missing.push_back(ExplorerReason::kNavigationGone);
-  if (!inputs.navigation_enabled) missing.push_back(ExplorerReason::kNavigationDisabled);
+  if (!inputs.navigation_refused.empty()) missing.push_back(ExplorerReason::kNavigationDisabled);
   return missing;
 }
 
-void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
+void Explorer::Impl::stopFor(const std::string& missing, ExplorerReason first, Time now) {
   cancelGoal();
-  const ExplorerReason reason = was_running_ ? missing.front() : ExplorerReason::kWaitingForInputs;
-  const std::string text = "missing: " + listMissing(missing);
+  const ExplorerReason reason = was_running_ ? first : ExplorerReason::kWaitingForInputs;
+  const std::string text = "missing: " + missing;
   const bool news = status_.state != ExplorerState::kIdle || status_.reason != reason || status_.reason_text != text;
   if (news) enter(ExplorerState::kIdle, reason, text, now);
   if (!last_report_ || now - *last_report_ >= fromSeconds(parameters_.report_period)) {
-    note(true, "exploration waits for: " + listMissing(missing));
+    note(true, "exploration waits for: " + missing);
     last_report_ = now;
   }
 }

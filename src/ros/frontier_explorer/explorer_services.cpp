@@ -1,6 +1,3 @@
-#include <ros/names.h>
-
-#include <algorithm>
 #include <utility>
 
 #include "ros/common/master/registration.h"
@@ -116,19 +113,9 @@ void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
 /// Whoever begins, or goes on after a death, has not seen what happened before. [ARB-8] [FLT-2]
 void FrontierExplorerAdapter::handleArbiter(const ArbiterStatus& msg) {
   arbiter_.put(msg, steadyNow());
+  leave_.take(msg, rosNow(), steadyNow());
   if (earlier_stops_.take(msg.stops).value_or(false))
     pause("an emergency stop was called while no explorer was there to be paused by its clear");
-}
-
-/// Whether no arbiter says that it ignores the navigation's commands: all goals would time out then, by no fault of
-/// theirs.
-bool FrontierExplorerAdapter::isNavigationEnabled() const {
-  constexpr Duration kLifetime = std::chrono::seconds(5);  // of a status, which comes each second
-  const auto status = arbiter_.fresh(steadyNow(), kLifetime);
-  const std::string topic = ros::names::resolve(names::kCmdVelNav);
-  return !status || std::none_of(status->sources.begin(), status->sources.end(), [&topic](const ArbiterSource& source) {
-    return source.topic == topic && source.enabled == 0;
-  });
 }
 
 void FrontierExplorerAdapter::pause(const std::string& why) {

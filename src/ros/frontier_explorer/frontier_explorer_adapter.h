@@ -20,6 +20,7 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/inputs/earlier_stops.h"
 #include "ros/common/inputs/localization_input.h"
+#include "ros/common/inputs/navigation_leave.h"
 #include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
@@ -68,7 +69,6 @@ class FrontierExplorerAdapter {
   void resume();
   void remember();
   void pause(const std::string& why);
-  bool isNavigationEnabled() const;
   bool awaitsArbiter() const { return enabled_ && earlier_stops_.holdsBack(steadyNow()); }
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();
@@ -112,6 +112,7 @@ class FrontierExplorerAdapter {
   ClickedPolygon clicked_;
   Latest<double> battery_;
   Latest<ArbiterStatus> arbiter_;
+  NavigationLeave leave_;
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
   exploration::GoalCommand order_;  ///< that is not obeyed yet

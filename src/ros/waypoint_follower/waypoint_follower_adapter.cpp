@@ -26,6 +26,7 @@ WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::Nod
   diagnostics_.add("waypoints", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   connections_.followStop(&WaypointFollowerAdapter::handleStop, this);
+  connections_.subscribe(names::kArbiterStatus, 1, &WaypointFollowerAdapter::handleArbiter, this);
   connections_.subscribeToCommands(names::kAddWaypoint, 20, &WaypointFollowerAdapter::handleAdd, this);
   connections_.subscribe(names::kMapReplaced, 1, &WaypointFollowerAdapter::handleReplaced, this);
   connections_.serve(names::kStartWaypoints, &WaypointFollowerAdapter::handleStart, this);
@@ -54,6 +55,8 @@ void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
   if (inputs_.emergency_stop) step(connections_.clock().now().value_or(rosNow()));  // also by a clock that just jumped
 }
 
+void WaypointFollowerAdapter::handleArbiter(const ArbiterStatus& msg) { leave_.take(msg, rosNow(), steadyNow()); }
+
 void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {
   inputs_.ended.push_back({leg, kindOf(state), state.getText().empty() ? state.toString() : state.getText()});
   tick();  // at once, so that an explorer finds no gap between two goals
@@ -66,6 +69,7 @@ void WaypointFollowerAdapter::tick() {
 void WaypointFollowerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
   inputs_.navigation_up = navigation_.isServerConnected();
+  inputs_.navigation_refused = leave_.refusal(*now, steadyNow());
   const waypoints::WaypointOutput output = follower_.update(inputs_, *now);
   inputs_.ended.clear();
   put(output);

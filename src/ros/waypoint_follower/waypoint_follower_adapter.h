@@ -1,5 +1,6 @@
 #pragma once
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/FollowWaypointsAction.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
@@ -14,6 +15,7 @@
 #include "ros/common/actions/action_client.h"
 #include "ros/common/actions/action_server.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/inputs/navigation_leave.h"
 #include "ros/common/node_connections.h"
 #include "waypoints/waypoint_follower.h"
 
@@ -33,6 +35,7 @@ class WaypointFollowerAdapter {
 
   void handleGoal(const FollowWaypointsGoal& goal);
   void handleStop(const std_msgs::Bool& msg);
+  void handleArbiter(const ArbiterStatus& msg);
   void handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state);
   void tick();
   void step(const std::optional<Time>& now);
@@ -50,6 +53,7 @@ class WaypointFollowerAdapter {
   waypoints::WaypointParameters parameters_;
   waypoints::WaypointFollower follower_;
   waypoints::WaypointInputs inputs_;
+  NavigationLeave leave_;
   std::vector<geometry_msgs::PoseStamped> poses_;      ///< of the present goal
   std::vector<geometry_msgs::PoseStamped> collected_;  ///< all in one frame
   bool follows_collected_ = false;                     ///< the present goal is of those

@@ -52,7 +52,7 @@ class ExplorerLosses : public ExplorerTest, public ::testing::WithParamInterface
         inputs.localized = there;
         break;
       case Reason::kNavigationDisabled:
-        inputs.navigation_enabled = there;
+        inputs.navigation_refused = there ? "" : "its source nav is disabled";
         break;
       default:
         inputs.navigation_available = there;

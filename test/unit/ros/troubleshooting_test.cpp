@@ -55,7 +55,7 @@ TEST(Troubleshooting, ExplainsEachReasonWithWhichAnExplorationWaitsOrEnds) {
                                            "odometry gone",
                                            "navigation gone",
                                            "the robot is not localised on the map",
-                                           "the navigation is disabled at the arbiter"};
+                                           "the arbiter does not heed the navigation"};
   expectExplained({"missing: ...", "exploration waits for: ..."});
   std::vector<std::string> bad =
       badTexts(exploration::ExplorerReason::kNavigationUnable,

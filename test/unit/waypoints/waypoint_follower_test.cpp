@@ -141,6 +141,21 @@ TEST_F(Waypoints, EndWithTheMapThatTheyWereMeantFor) {
 }
 
 // [NAV-5]
+TEST_F(Waypoints, EndWithANavigationThatFailsWhileTheArbiterDoesNotHeedIt) {
+  follower_.start(3, now_);
+  ASSERT_TRUE(update().send);
+  inputs_.navigation_refused = "its source nav is disabled";
+  EXPECT_FALSE(update(40.0).ended) << "it may be enabled again before the navigation gives up";
+  const WaypointOutput output = ends(LegEnd::Kind::kFailed, "blocked");
+  EXPECT_EQ(output.outcome, WaypointOutcome::kNavigationUnable);
+  EXPECT_EQ(
+      output.text,
+      "aborted: on the way to waypoint 1 of 3 the navigation could not drive: blocked, without the arbiter's leave "
+      "to drive (its source nav is disabled)");
+  EXPECT_TRUE(follower_.missed().empty()) << "the place is not the cause";
+}
+
+// [NAV-5]
 TEST_F(Waypoints, WaitForANavigationThatIsRestartedAndSendTheGoalAgain) {
   follower_.start(2, now_);
   const std::uint32_t first = update().send->leg;
