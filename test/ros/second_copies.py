@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """A second explorer, avoider, mapper or publisher of the map beside a running one, and what a node that was
 killed has left."""
+import os
 import signal
 import subprocess
 import sys
 import time
 import unittest
 
+import rospkg
 import rospy
 import rosservice
 import rostest
@@ -22,6 +24,7 @@ from tf2_msgs.msg import TFMessage
 from wire import Node, Record, Source, call, clear, moves, wait_for
 
 SIDE = 20  # of the maps [cells]
+LARGE = os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'config', 'worlds', 'office.yaml')
 
 STRANGER = """
 import rospy
@@ -78,6 +81,22 @@ class SecondCopies(unittest.TestCase):
         self.assertIn('offers /mapper/save_map already', said, '[MAP-3]')
         for service in 'mapper/save_map', 'mapper/load_map', 'mapper/localize', 'mapper/reset', 'dynamic_map':
             self.assertEqual(rosservice.get_service_node('/' + service), '/mapper', '[MAP-3]')
+
+    # [MAP-3]
+    def test_a_mapper_that_is_started_with_a_map_beside_another_map_says_nothing_until_that_one_has_ended(self):
+        transforms, maps = Record('/tf', TFMessage), Record('map', OccupancyGrid)
+        self.addCleanup(transforms.subscriber.unregister)
+        self.addCleanup(maps.subscriber.unregister)
+        other = rospy.Publisher('map', OccupancyGrid, queue_size=1)
+        self.addCleanup(other.unregister)
+        mapper = self.start('mapper', '_map_file:=' + LARGE)
+        self.addCleanup(rospy.delete_param, 'mapper/map_file')
+        self.assertTrue(wait_for(lambda: 'publishes /map as well' in mapper.said(), 20.0), mapper.said())
+        self.assertEqual(len(maps.items), 0, '[MAP-3]')
+        self.assertFalse([message for _, message in transforms.items
+                          if any(each.child_frame_id == 'odom' for each in message.transforms)], '[MAP-3]')
+        other.unregister()
+        self.assertTrue(wait_for(lambda: maps.items), '[MAP-3]')
 
     # [MAP-3]
     def test_a_mapper_beside_another_map_does_not_say_where_the_robot_is_until_that_one_has_ended(self):

@@ -44,6 +44,9 @@ void MasterWatch::claimService(const std::string& service) {
 void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
   const std::lock_guard<std::mutex> lock(mutex_);
   claims_.topics.push_back(topics);
+  looks_anew_ = true;
+  report_.take();
+  wake_.notify_all();
 }
 
 void MasterWatch::watchListeners(const std::string& topic) {
@@ -77,6 +80,7 @@ void MasterWatch::sendParameters() {
 void MasterWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
+    looks_anew_ = false;
     lock.unlock();
     guard_.run("the watch on the master", [this] {
       watched_.look();  // before all that a master which does not answer delays
@@ -85,7 +89,7 @@ void MasterWatch::run() {
     });
     lock.lock();
     const Duration pause = missing_.empty() ? period_ : std::min(period_, kSecondLook);
-    wake_.wait_for(lock, pause, [this] { return ending_ || !new_parameters_.empty(); });
+    wake_.wait_for(lock, pause, [this] { return ending_ || looks_anew_ || !new_parameters_.empty(); });
   }
 }
 
@@ -112,13 +116,11 @@ void MasterWatch::look() {
       topics_ = frontier_pilot::listTopics(*state, *types);
     }
   }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    publishers_ = state->publishers;
-  }
   report.publishers = std::move(state->publishers);
   report.providers = std::move(state->providers);
-  report_.put(std::move(report));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  publishers_ = report.publishers;
+  if (!looks_anew_) report_.put(std::move(report));
 }
 
 std::optional<std::vector<std::string>> MasterWatch::findListeners(const MasterState& state) const {

@@ -57,7 +57,8 @@ class MasterWatch {
 
   /// `service`, a resolved name, belongs to this node alone from now on.
   void claimService(const std::string& service);
-  /// The same for topics: another living node that publishes all of them is a rival.
+  /// The same for topics: another living node that publishes all of them is a rival. The next report is that of a look
+  /// that begins now: an earlier one has not looked for such rivals.
   void claimTopics(const std::vector<std::string>& topics);
   /// `f` is called, on the watch's thread, with the names of the ROS session: once at the start, and after something
   /// was registered again, because the master may have been restarted. While the master tells no name, it is asked
@@ -126,9 +127,10 @@ class MasterWatch {
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
   SessionNews session_;
-  mutable std::mutex mutex_;  ///< guards the nine that follow
+  mutable std::mutex mutex_;  ///< guards the ten that follow
   std::condition_variable wake_;
   bool ending_ = false;
+  bool looks_anew_ = false;  ///< topics were claimed since the look began
   Claims claims_;
   std::string listened_;  ///< the topic of `watchListeners`
   std::vector<std::string> problems_;
