@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second explorer, avoider, mapper or publisher of the map beside a running one, and what a node that was
+"""A second node of a kind, or a second publisher of the map, beside a running one, and what a node that was
 killed has left."""
 import os
 import signal
@@ -8,6 +8,7 @@ import sys
 import time
 import unittest
 
+import rosgraph
 import rospkg
 import rospy
 import rosservice
@@ -43,6 +44,12 @@ topic.publish(map)
 print('published', flush=True)
 rospy.spin()
 """ % (SIDE, SIDE, SIDE * SIDE)
+
+
+def is_served(name, node):
+    """Whether the node serves this action or service."""
+    publishers, _, services = rosgraph.Master('/second_copies').getSystemState()
+    return any(node in nodes for what, nodes in publishers + services if what in (name, name + '/result'))
 
 
 def map_with_free_cells(count):
@@ -81,6 +88,29 @@ class SecondCopies(unittest.TestCase):
         self.assertIn('offers /mapper/save_map already', said, '[MAP-3]')
         for service in 'mapper/save_map', 'mapper/load_map', 'mapper/localize', 'mapper/reset', 'dynamic_map':
             self.assertEqual(rosservice.get_service_node('/' + service), '/mapper', '[MAP-3]')
+
+    # [FLT-2]
+    def test_a_second_server_of_an_action_or_merger_under_another_name_does_not_start(self):
+        for executable, does, name in [('navigator', 'serves the action', '/move_base'),
+                                       ('behavior_server', 'serves the action', '/spin'),
+                                       ('patrol_server', 'serves the action', '/turtlebot3'),
+                                       ('map_merger', 'offers', '/map_merger/save_map')]:
+            first = self.start(executable)
+            self.assertTrue(wait_for(lambda: is_served(name, '/' + executable)))
+            code, said = self.start(executable, '__name:=another').finish()
+            self.assertEqual(code, 1, said)
+            self.assertIn('%s %s already' % (does, name), said, '[FLT-2]')
+            first.signal(signal.SIGKILL)
+            first.finish()
+            second = self.start(executable, '__name:=another')
+            self.assertTrue(wait_for(lambda: is_served(name, '/another')), 'the first one has died [FLT-2]')
+            second.end()
+
+    # [FLT-2]
+    def test_a_navigator_of_another_robot_starts(self):
+        for robot in '/one', '/two':
+            self.start('navigator', '__ns:=' + robot)
+            rospy.wait_for_service(robot + '/make_plan', 10.0)
 
     # [MAP-3]
     def test_a_mapper_that_is_started_with_a_map_beside_another_map_says_nothing_until_that_one_has_ended(self):

@@ -13,6 +13,7 @@
 #include "ros/common/master/local_name.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/xml_rpc.h"
+#include "ros/common/names.h"
 
 namespace frontier_pilot {
 namespace {
@@ -20,13 +21,29 @@ namespace {
 constexpr Duration kLastWords = std::chrono::seconds(2);
 constexpr std::chrono::milliseconds kLook(200);
 
+/// The first of `nodes` that lives and is not this one; empty if there is none.
+std::string firstLivingOther(std::vector<std::string> nodes) {
+  nodes.erase(std::remove(nodes.begin(), nodes.end(), ros::this_node::getName()), nodes.end());
+  return firstLiving(nodes);
+}
+
 /// A living node, other than this one, that offers `service`; empty if there is none.
 std::string findOtherProvider(const char* service) {
   const std::optional<MasterState> state = askMaster();
+  return state ? firstLivingOther(nodesOf(state->providers, ros::names::resolve(service))) : "";
+}
+
+/// A living node, other than this one, that takes the goals of `action` and publishes results; empty if there is none.
+std::string findOtherServer(const char* action) {
+  const std::optional<MasterState> state = askMaster();
   if (!state) return {};
-  std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
-  nodes.erase(std::remove(nodes.begin(), nodes.end(), ros::this_node::getName()), nodes.end());
-  return firstLiving(nodes);
+  const auto topic = [name = ros::names::resolve(action)](const char* end) { return ros::names::resolve(name + end); };
+  std::vector<std::string> nodes = nodesOf(state->publishers, topic("/result"));
+  const auto takes_no_goals = [&state, goals = topic(names::kGoalOfAction)](const std::string& node) {
+    return !isNodeOf(state->subscribers, goals, node);
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), takes_no_goals), nodes.end());
+  return firstLivingOther(nodes);
 }
 
 /// Takes back what `node` is registered for under these names. False if the master does not answer.
@@ -92,6 +109,14 @@ void refuseASecondProvider(const char* service) {
   throw std::runtime_error(other + " offers " + ros::names::resolve(service) +
                            " already: its callers would reach only one of " +
                            "the two nodes. End that one first (rosnode kill " + other + ")");
+}
+
+void refuseASecondServer(const char* action) {
+  const std::string other = waitUntilGone([action] { return findOtherServer(action); });
+  if (other.empty()) return;
+  throw std::runtime_error(other + " serves the action " + ros::names::resolve(action) +
+                           " already: both nodes would drive to each of its goals. End that one first (rosnode kill " +
+                           other + ")");
 }
 
 }  // namespace frontier_pilot

@@ -20,4 +20,7 @@ void refuseANamesake();
 /// started. Two nodes that are started at the same moment do not find each other. [FLT-2] [MAP-3]
 void refuseASecondProvider(const char* service);
 
+/// The same for a node that serves `action`: each of two servers would pursue every goal. [FLT-2]
+void refuseASecondServer(const char* action);
+
 }  // namespace frontier_pilot
