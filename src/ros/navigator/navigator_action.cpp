@@ -36,7 +36,7 @@ std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg,
   return poseInFrame(msg, map_frame_, tf_, why);
 }
 
-void MoveBaseServer::handleReplaced(const std_msgs::String&) {
+void MoveBaseServer::endForReplacedMap() {
   map_replaced_ = true;
   if (!pending_) return;
   settle({pending_->id, navigation::NavResult::kAborted, navigation::NavReason::kMapReplaced});

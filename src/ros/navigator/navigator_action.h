@@ -31,6 +31,8 @@ class MoveBaseServer {
   /// robot drives after the clear. [ARB-8]
   void setStopped(bool stopped);
   bool isStopped() const { return stopped_since_.has_value(); }
+  /// Ends all goals, which were meant for a map that has been replaced. [MAP-5]
+  void endForReplacedMap();
   /// Moves what has come since the last call into `inputs`: a new goal, a cancel, and that the map was replaced.
   void fill(navigation::NavigatorInputs& inputs);
   /// Sends the result of a goal to its client.
@@ -54,7 +56,7 @@ class MoveBaseServer {
   /// Cancels every goal, as a client would.
   void cancelAll();
   void cancelForStop();
-  void handleReplaced(const std_msgs::String& why);
+  void handleReplaced(const std_msgs::String&) { endForReplacedMap(); }
   void handleSimple(const geometry_msgs::PoseStamped& msg);
   /// The goal in the map's frame; nothing if it is malformed or its frame is not in TF, with the reason in `why`.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;

@@ -77,8 +77,7 @@ std::optional<StampedPose2> NavigatorAdapter::pose() const {
   const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_);
   if (!stamp) return std::nullopt;
   const auto T_map_base = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
-  if (!T_map_base) return std::nullopt;
-  return StampedPose2{*stamp, *T_map_base};
+  return T_map_base ? std::make_optional(StampedPose2{*stamp, *T_map_base}) : std::nullopt;
 }
 
 std::optional<Vec2> NavigatorAdapter::positionNow() const {
@@ -89,6 +88,7 @@ std::optional<Vec2> NavigatorAdapter::positionNow() const {
 void NavigatorAdapter::takeMap() {
   const CellRect changed = map_.takeChanged();
   if (!changed.empty()) navigator_.setMap(map_.map(), changed);
+  if (map_.takeReplaced()) server_.endForReplacedMap();
 }
 
 navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {

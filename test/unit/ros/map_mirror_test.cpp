@@ -219,6 +219,16 @@ TEST(MapMirror, AnotherPublisherIsNotHeldAgainstTheStampsOfTheFirst) {
   EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied);
 }
 
+TEST(MapMirror, SaysOnceThatAnotherNodesMapHasReplacedTheOneOfBeforeAndNotAfterARestartOfItsNode) {  // [MAP-5] [FLT-2]
+  MapMirror mirror;
+  mirror.handleMap(messageAt(100.0, kRoom), "/one");
+  mirror.handleMap(messageAt(50.0, kRoom), "/one");
+  EXPECT_FALSE(mirror.takeReplaced());
+  mirror.handleMap(messageAt(110.0, kRoom), "/two");
+  EXPECT_TRUE(mirror.takeReplaced());
+  EXPECT_FALSE(mirror.takeReplaced());
+}
+
 TEST(MapMirror, AMapWithoutAStampIsTakenAsItIs) {  // as map_server may send it
   MapMirror mirror;
   mirror.handleMap(messageAt(100.0, kRoom));

@@ -86,6 +86,7 @@ bool MapMirror::admits(const std::string& publisher) {
 }
 
 void MapMirror::own(const std::string& publisher, const std_msgs::Header& header, Way way) {
+  if (!mayBelongTo(publisher)) replaced_ = true;
   if (publisher != owner_.name() || way != way_) startOver();
   owner_.hear(publisher, steadyNow());
   way_ = way;

@@ -9,6 +9,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/time.h"
@@ -86,6 +87,9 @@ class MapMirror {
   Time stamp() const { return stamp_; }
   /// The cells that may have changed since the last call; all cells if the geometry has changed.
   CellRect takeChanged();
+  /// Whether another node's map has replaced the one of before since the last call: a place on that one may be anywhere
+  /// on this one. The node that had the map may be restarted; its map is taken for the same. [MAP-5] [FLT-2]
+  bool takeReplaced() { return std::exchange(replaced_, false); }
   const Rejections& rejections() const { return rejections_; }
   /// What is missing, in words; empty if there is a map and its publisher.
   std::string missing(const InputWatch::Topics& topics) const;
@@ -129,6 +133,7 @@ class MapMirror {
   std::string frame_, heard_frame_;
   OccupancyGrid map_;
   CellRect changed_;
+  bool replaced_ = false;  ///< by the map of another node, since that was last asked
   Time stamp_{};
   Way way_ = Way::kPlain;             ///< by which the map came
   MapOwner owner_;                    ///< of the map; before the first one, of the updates so far
