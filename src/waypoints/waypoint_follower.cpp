@@ -12,7 +12,8 @@ std::string listed(const std::vector<std::size_t>& waypoints) {
 /// A failure is no fault of the place while the arbiter does not heed the navigation.
 LegEnd judged(const LegEnd& ended, const std::string& refused) {
   if (ended.kind != LegEnd::Kind::kFailed || refused.empty()) return ended;
-  return {ended.leg, LegEnd::Kind::kUnable, ended.text + ", without the arbiter's leave to drive (" + refused + ")"};
+  return {ended.leg, LegEnd::Kind::kUnable,
+          ended.text + ", without the arbiter's permission to drive (" + refused + ")"};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::string nameOfMissing(ExplorerReason reason, const ExplorerInputs& inputs) {
     case ExplorerReason::kNotLocalized:
       return "the robot's place on the map";
     case ExplorerReason::kNavigationDisabled:
-      return "the arbiter's leave to drive (" + inputs.navigation_refused + ")";
+      return "the arbiter's permission to drive (" + inputs.navigation_refused + ")";
     default:
       return "move_base";
   }

@@ -113,7 +113,7 @@ void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
 /// Whoever begins, or goes on after a death, has not seen what happened before. [ARB-8] [FLT-2]
 void FrontierExplorerAdapter::handleArbiter(const ArbiterStatus& msg) {
   arbiter_.put(msg, steadyNow());
-  leave_.take(msg, rosNow(), steadyNow());
+  permission_.take(msg, rosNow(), steadyNow());
   if (earlier_stops_.take(msg.stops).value_or(false))
     pause("an emergency stop was called while no explorer was there to be paused by its clear");
 }

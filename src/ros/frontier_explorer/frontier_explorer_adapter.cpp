@@ -102,7 +102,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.start = std::exchange(start_, false);
   inputs.map_available = map_.ready() && map_.published();
   inputs.navigation_available = navigation_.available();
-  inputs.navigation_refused = leave_.refusal(now, steadyNow());
+  inputs.navigation_refused = permission_.refusal(now, steadyNow());
   inputs.others_goal = navigation_.servesOthers();
   inputs.odometry_stamp = odometry_stamp_;
   inputs.battery = battery();

@@ -20,7 +20,7 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/inputs/earlier_stops.h"
 #include "ros/common/inputs/localization_input.h"
-#include "ros/common/inputs/navigation_leave.h"
+#include "ros/common/inputs/navigation_permission.h"
 #include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
@@ -112,7 +112,7 @@ class FrontierExplorerAdapter {
   ClickedPolygon clicked_;
   Latest<double> battery_;
   Latest<ArbiterStatus> arbiter_;
-  NavigationLeave leave_;
+  NavigationPermission permission_;
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
   exploration::GoalCommand order_;  ///< that is not obeyed yet

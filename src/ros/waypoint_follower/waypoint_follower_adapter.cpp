@@ -55,7 +55,7 @@ void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
   if (inputs_.emergency_stop) step(connections_.clock().now().value_or(rosNow()));  // also by a clock that just jumped
 }
 
-void WaypointFollowerAdapter::handleArbiter(const ArbiterStatus& msg) { leave_.take(msg, rosNow(), steadyNow()); }
+void WaypointFollowerAdapter::handleArbiter(const ArbiterStatus& msg) { permission_.take(msg, rosNow(), steadyNow()); }
 
 void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {
   inputs_.ended.push_back({leg, kindOf(state), state.getText().empty() ? state.toString() : state.getText()});
@@ -69,7 +69,7 @@ void WaypointFollowerAdapter::tick() {
 void WaypointFollowerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
   inputs_.navigation_up = navigation_.isServerConnected();
-  inputs_.navigation_refused = leave_.refusal(*now, steadyNow());
+  inputs_.navigation_refused = permission_.refusal(*now, steadyNow());
   const waypoints::WaypointOutput output = follower_.update(inputs_, *now);
   inputs_.ended.clear();
   put(output);

@@ -15,7 +15,7 @@
 #include "ros/common/actions/action_client.h"
 #include "ros/common/actions/action_server.h"
 #include "ros/common/diagnostics.h"
-#include "ros/common/inputs/navigation_leave.h"
+#include "ros/common/inputs/navigation_permission.h"
 #include "ros/common/node_connections.h"
 #include "waypoints/waypoint_follower.h"
 
@@ -53,7 +53,7 @@ class WaypointFollowerAdapter {
   waypoints::WaypointParameters parameters_;
   waypoints::WaypointFollower follower_;
   waypoints::WaypointInputs inputs_;
-  NavigationLeave leave_;
+  NavigationPermission permission_;
   std::vector<geometry_msgs::PoseStamped> poses_;      ///< of the present goal
   std::vector<geometry_msgs::PoseStamped> collected_;  ///< all in one frame
   bool follows_collected_ = false;                     ///< the present goal is of those

@@ -1,4 +1,4 @@
-#include "ros/common/inputs/navigation_leave.h"
+#include "ros/common/inputs/navigation_permission.h"
 
 #include <ros/names.h>
 
@@ -24,9 +24,9 @@ bool isAmong(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-NavigationLeave::NavigationLeave() : NavigationLeave(ros::names::resolve(names::kCmdVelNav)) {}
+NavigationPermission::NavigationPermission() : NavigationPermission(ros::names::resolve(names::kCmdVelNav)) {}
 
-std::optional<NavigationLeave::Refusal> NavigationLeave::find(const ArbiterStatus& status) const {
+std::optional<NavigationPermission::Refusal> NavigationPermission::find(const ArbiterStatus& status) const {
   const auto navigation = std::find_if(status.sources.begin(), status.sources.end(),
                                        [this](const ArbiterSource& source) { return source.topic == topic_; });
   if (navigation == status.sources.end()) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<NavigationLeave::Refusal> NavigationLeave::find(const ArbiterStatu
   return std::nullopt;
 }
 
-void NavigationLeave::take(const ArbiterStatus& status, Time now, SteadyTime received) {
+void NavigationPermission::take(const ArbiterStatus& status, Time now, SteadyTime received) {
   const auto found = find(status);
   const bool goes_on = found && last_.has() && last_.get()->passes == found->passes && since_ <= now;
   if (!goes_on) since_ = now;
@@ -52,7 +52,7 @@ void NavigationLeave::take(const ArbiterStatus& status, Time now, SteadyTime rec
   if (found) last_.put(*found, received);
 }
 
-std::string NavigationLeave::refusal(Time now, SteadyTime steady) const {
+std::string NavigationPermission::refusal(Time now, SteadyTime steady) const {
   constexpr Duration kLifetime = std::chrono::seconds(5);  // of a status, which comes each second
   const auto last = last_.fresh(steady, kLifetime);
   return last && now - since_ >= last->passes ? last->why : "";

@@ -13,12 +13,12 @@ namespace frontier_pilot {
 
 /// Whether the arbiter heeds the navigation's commands, as its status tells. While it does not, no goal is reached,
 /// which is no fault of the goals. [EXP-8] [NAV-5]
-class NavigationLeave {
+class NavigationPermission {
  public:
   /// For the commands on the node's own `cmd_vel_nav`.
-  NavigationLeave();
+  NavigationPermission();
   /// `topic` is that of the navigation's commands, with its whole name.
-  explicit NavigationLeave(std::string topic) : topic_(std::move(topic)) {}
+  explicit NavigationPermission(std::string topic) : topic_(std::move(topic)) {}
 
   /// A status; `now` is ROS time, which the robot's motions take, and `received` steady time.
   void take(const ArbiterStatus& status, Time now, SteadyTime received);

@@ -1,4 +1,4 @@
-#include "ros/common/inputs/navigation_leave.h"
+#include "ros/common/inputs/navigation_permission.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@ namespace frontier_pilot {
 namespace {
 
 /// An arbiter whose status comes each second, of which a node that depends on the navigation hears.
-class NavigationLeaveTest : public ::testing::Test {
+class NavigationPermissionTest : public ::testing::Test {
  protected:
   void SetUp() override {
     for (const auto& [name, priority] : {std::pair("avoid", 100), std::pair("nav", 60), std::pair("manual", 40)}) {
@@ -21,9 +21,9 @@ class NavigationLeaveTest : public ::testing::Test {
   std::string afterSeconds(int seconds) {
     for (int i = 0; i < seconds; ++i) {
       pass();
-      leave_.take(status_, now_, steady_);
+      permission_.take(status_, now_, steady_);
     }
-    return leave_.refusal(now_, steady_);
+    return permission_.refusal(now_, steady_);
   }
   void pass() {
     now_ += std::chrono::seconds(1);
@@ -35,14 +35,14 @@ class NavigationLeaveTest : public ::testing::Test {
   }
 
   ArbiterStatus status_;
-  NavigationLeave leave_{"/cmd_vel_nav"};
+  NavigationPermission permission_{"/cmd_vel_nav"};
   Time now_ = timeFromSeconds(100.0);
   SteadyTime steady_{std::chrono::hours(1)};
 };
 
 // [EXP-8] [NAV-5]
-TEST_F(NavigationLeaveTest, IsThereWhileTheNavigationOrNobodyOrALesserSourceDrivesAndWithoutAnArbiter) {
-  EXPECT_EQ(leave_.refusal(now_, steady_), "");
+TEST_F(NavigationPermissionTest, IsThereWhileTheNavigationOrNobodyOrALesserSourceDrivesAndWithoutAnArbiter) {
+  EXPECT_EQ(permission_.refusal(now_, steady_), "");
   for (const char* source : {"", "nav", "manual"}) {
     isDrivenBy(source);
     EXPECT_EQ(afterSeconds(60), "") << source;
@@ -50,7 +50,7 @@ TEST_F(NavigationLeaveTest, IsThereWhileTheNavigationOrNobodyOrALesserSourceDriv
 }
 
 // [EXP-8] [NAV-5]
-TEST_F(NavigationLeaveTest, IsRefusedAtOnceByADisabledSource) {
+TEST_F(NavigationPermissionTest, IsRefusedAtOnceByADisabledSource) {
   status_.sources[1].enabled = 0;
   EXPECT_EQ(afterSeconds(1), "its source nav is disabled");
   status_.sources[1].enabled = 1;
@@ -58,7 +58,7 @@ TEST_F(NavigationLeaveTest, IsRefusedAtOnceByADisabledSource) {
 }
 
 // [EXP-8] [NAV-5] [ARB-12]
-TEST_F(NavigationLeaveTest, IsRefusedWhileNoStopWouldReachTheArbiterButForAMoment) {
+TEST_F(NavigationPermissionTest, IsRefusedWhileNoStopWouldReachTheArbiterButForAMoment) {
   for (const auto state : {ArbiterStatus::CONTESTED, ArbiterStatus::UNREACHABLE}) {
     status_.state = state;
     EXPECT_EQ(afterSeconds(2), "");
@@ -69,7 +69,7 @@ TEST_F(NavigationLeaveTest, IsRefusedWhileNoStopWouldReachTheArbiterButForAMomen
 }
 
 // [EXP-8] [NAV-5] [ARB-4]
-TEST_F(NavigationLeaveTest, IsRefusedWhileARequiredSourceOfHigherPriorityIsSilent) {
+TEST_F(NavigationPermissionTest, IsRefusedWhileARequiredSourceOfHigherPriorityIsSilent) {
   status_.missing_sources = {"manual"};
   EXPECT_EQ(afterSeconds(60), "");
   status_.missing_sources = {"avoid"};
@@ -77,7 +77,7 @@ TEST_F(NavigationLeaveTest, IsRefusedWhileARequiredSourceOfHigherPriorityIsSilen
 }
 
 // [EXP-8] [NAV-5]
-TEST_F(NavigationLeaveTest, IsNotRefusedByTheRecoveriesOfTheAvoiderButByOneThatDoesNotEnd) {
+TEST_F(NavigationPermissionTest, IsNotRefusedByTheRecoveriesOfTheAvoiderButByOneThatDoesNotEnd) {
   for (int recovery = 0; recovery < 10; ++recovery) {
     isDrivenBy("avoid");
     EXPECT_EQ(afterSeconds(15), "");
@@ -90,11 +90,11 @@ TEST_F(NavigationLeaveTest, IsNotRefusedByTheRecoveriesOfTheAvoiderButByOneThatD
   EXPECT_EQ(afterSeconds(1), "");
 }
 
-TEST_F(NavigationLeaveTest, IsNotRefusedForEverByAnArbiterThatHasFallenSilentNorByAnotherRobots) {
+TEST_F(NavigationPermissionTest, IsNotRefusedForEverByAnArbiterThatHasFallenSilentNorByAnotherRobots) {
   status_.sources[1].enabled = 0;
   ASSERT_NE(afterSeconds(1), "");
   for (int i = 0; i < 6; ++i) pass();
-  EXPECT_EQ(leave_.refusal(now_, steady_), "");
+  EXPECT_EQ(permission_.refusal(now_, steady_), "");
   for (ArbiterSource& source : status_.sources) source.topic = "/other" + source.topic;
   EXPECT_EQ(afterSeconds(1), "");
 }
