@@ -32,15 +32,21 @@ std::string setPreviousAside(const SessionMemory& memory) {
   return {};
 }
 
-/// Returns why it could not be saved; empty if it was. If `superseded`, the copy that is there is of the previous map.
-std::string save(const map_files::MapSnapshot& map, const std::string& pose, const SessionMemory& memory,
-                 const std::atomic<bool>& wanted, bool superseded) {
+/// Returns why it could not be saved; empty if it was. If the copy that is there is of the previous map, `lost` is the
+/// pose, marked as one at which the robot has to be looked for; else it is empty.
+std::string save(const map_files::MapSnapshot& map, const std::string& pose, const std::string& lost,
+                 const SessionMemory& memory, const std::atomic<bool>& wanted) {
   if (memory.files().empty()) return "the ROS session has no name";
   const fs::path base = memory.files().front();
   std::error_code error;
   fs::create_directories(base.parent_path(), error);
+  if (!lost.empty() && kept_map::exists(base)) {
+    // With whichever of the two maps a mapper begins, its pose is not that of the other one.
+    const std::string problem = memory.remember(lost);
+    if (!problem.empty()) return problem + setPreviousAside(memory);
+  }
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
-  if (!result.ok()) return result.text + (superseded ? setPreviousAside(memory) : "");
+  if (!result.ok()) return result.text + (lost.empty() ? "" : setPreviousAside(memory));
   kept_map::removeOldest(base);
   if (!wanted) return {};  // a pose would have the next mapper continue with it
   return memory.remember(pose);
@@ -120,7 +126,7 @@ std::string MapAutosave::keptBefore() const {
   return {};
 }
 
-void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, MapSaver& saver) {
+void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, const Run& run) {
   const SteadyTime now = steadyNow();
   const std::uint64_t content = has.scans + has.rendered;
   noteMapping(content, now);
@@ -132,11 +138,11 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   ended_ = std::make_shared<std::atomic<bool>>(false);
-  saver.run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, wanted = wanted_,
-             done = done_, ended = ended_, rendered = has.rendered, superseded = superseded_] {
+  run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, wanted = wanted_, done = done_,
+       ended = ended_, rendered = has.rendered, lost = superseded_ ? textOf({pose.T_map_odom, false}) : std::string()] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
-      std::string why = *wanted ? frontier_pilot::save(snapshot, text, memory, *wanted, superseded) : std::string();
+      std::string why = *wanted ? frontier_pilot::save(snapshot, text, lost, memory, *wanted) : std::string();
       if (*wanted) return why;
       discard(memory);  // its files may have been removed while they were read back, which is no problem
       return std::string();

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,7 +17,6 @@
 #include "ros/common/memory/session_memory.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/mapper/kept_map.h"
-#include "ros/mapper/map_saver.h"
 #include "ros/mapper/save_schedule.h"
 
 namespace frontier_pilot {
@@ -44,10 +44,12 @@ class MapAutosave {
   /// Reads the map of a mapper that died and returns its pose; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<MapPose> restore(occupancy::OccupancyMap& map) const;
-  /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`has` counts its changes),
+  /// Runs a job on a thread that may wait for the disk.
+  using Run = std::function<void(std::function<void()>)>;
+  /// Saves `map` by `run`. A map is not saved if it has not changed (`has` counts its changes),
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
-  void save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, MapSaver& saver);
+  void save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, const Run& run);
   /// Whether the save that was begun last has not ended yet.
   bool isSaving() const { return ended_ && !*ended_; }
   /// Why the map that was to be saved last would not survive; empty if it would.

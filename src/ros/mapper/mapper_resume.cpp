@@ -1,6 +1,9 @@
 // A mapper that is restarted after it died continues with the map that it had. [FLT-2]
 #include <ros/console.h>
 
+#include <functional>
+#include <utility>
+
 #include "ros/common/master/registration.h"
 #include "ros/common/node_main.h"
 #include "ros/common/throttled_log.h"
@@ -67,7 +70,8 @@ void MapperAdapter::autosave() {
   if (restored_) return;  // the copy that is there is worth more than what the mapper has until it continues with it
   const std::string before = autosave_.problem();
   const MapContent content{mapper_.counts()[mapping::ScanVerdict::kInserted], mapper_.revisions().rendered};
-  autosave_.save(mapper_.map(), {T_map_odom(), mapper_.isLocalized()}, content, saver_);
+  autosave_.save(mapper_.map(), {T_map_odom(), mapper_.isLocalized()}, content,
+                 [this](std::function<void()> job) { saver_.run(std::move(job)); });
   if (autosave_.problem().empty() || autosave_.problem() == before) return;
   THROTTLED_WARN("the map would not survive this node: " << autosave_.problem());
 }
