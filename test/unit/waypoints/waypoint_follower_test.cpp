@@ -148,10 +148,10 @@ TEST_F(Waypoints, EndWithANavigationThatFailsWhileTheArbiterDoesNotHeedIt) {
   EXPECT_FALSE(update(40.0).ended) << "it may be enabled again before the navigation gives up";
   const WaypointOutput output = ends(LegEnd::Kind::kFailed, "blocked");
   EXPECT_EQ(output.outcome, WaypointOutcome::kNavigationUnable);
-  EXPECT_EQ(
-      output.text,
-      "aborted: on the way to waypoint 1 of 3 the navigation could not drive: blocked, without the arbiter's leave "
-      "to drive (its source nav is disabled)");
+  EXPECT_EQ(output.text,
+            "aborted: on the way to waypoint 1 of 3 the navigation gave the goal up: blocked, without the arbiter's "
+            "permission "
+            "to drive (its source nav is disabled)");
   EXPECT_TRUE(follower_.missed().empty()) << "the place is not the cause";
 }
 
