@@ -39,6 +39,7 @@ void Explorer::setParameters(const ExplorerParameters& parameters) { impl_->setP
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
 std::string Explorer::inspect(const Pose2& pose) { return impl_->inspect(pose); }
 void Explorer::clearInspections() { impl_->clearInspections(); }
+void Explorer::leaveMap() { impl_->leaveMap(); }
 std::vector<Pose2> Explorer::inspections() const { return impl_->inspections(); }
 ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
 const std::vector<Frontier>& Explorer::frontiers() const { return impl_->evaluator().frontiers(); }
@@ -86,6 +87,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   if (!shared_.alone() || !inputs.others.empty()) shared_.setOthers(inputs.others);
   if (inputs.reset) reset(now);
   if (inputs.start) startAgain(now);
+  obeyReplacedMap(now);
   if (ready(inputs, now) && !waitsForNavigation(now)) {
     if (!start_) start_ = T_map_base_;
     if (status_.state == ExplorerState::kIdle) {
@@ -109,7 +111,7 @@ void Explorer::Impl::reset(Time now) {
   ended_by_.reset();
   step_backs_ = 0;
   nothing_left_since_.reset();
-  done_reason_.reset();
+  endReturn();
   status_.phase = ExplorerPhase::kRich;
   cancelGoal();
   const bool idle = status_.state == ExplorerState::kIdle;
@@ -134,7 +136,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
     case GoalEvent::Kind::kPreempted:
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalPreempted, event.text, now);
     case GoalEvent::Kind::kUnable:
-      if (isWorthWaitingFor(goal)) return standUntilItCanDrive(event.text, now);
+      if (!givesUpReturn(goal, now)) return standUntilItCanDrive(event.text, now);
       [[fallthrough]];
     case GoalEvent::Kind::kAborted:
     case GoalEvent::Kind::kRejected:
@@ -188,10 +190,7 @@ void Explorer::Impl::send(Goal goal, ExplorerReason reason, const std::string& t
   goal.sent_from = T_map_base_->position();
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
-  if (goal.purpose != Goal::Purpose::kReturn) {
-    done_reason_.reset();
-    vain_returns_ = 0;
-  }
+  if (goal.purpose != Goal::Purpose::kReturn) endReturn();
   goal_ = goal;
   patience_.emplace(goal.sent_from, secondsTo(stop), meanSpeed(parameters_.robot.limits), now);
   goal_pose_ = Pose2(stop, goal.on_the_way ? bearing(goal.position - stop) : goal.yaw);
@@ -203,6 +202,7 @@ void Explorer::Impl::send(Goal goal, ExplorerReason reason, const std::string& t
 void Explorer::Impl::enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now) {
   if (state != status_.state) state_since_ = now;
   if (state == ExplorerState::kSelectGoal) was_running_ = true;
+  if (state == ExplorerState::kDone) endReturn();
   status_.state = state;
   status_.reason = reason;
   status_.reason_text = text.empty() ? toString(reason) : text;

@@ -39,6 +39,7 @@ class Explorer::Impl {
   void setParameters(const ExplorerParameters& parameters);
   std::string inspect(const Pose2& pose);
   void clearInspections();
+  void leaveMap();
   std::vector<Pose2> inspections() const;
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
@@ -95,9 +96,11 @@ class Explorer::Impl {
   void standFor(ExplorerReason reason, Time now);
   void stopFor(const std::string& missing, ExplorerReason first, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
-  bool isWorthWaitingFor(const Goal& goal);
+  bool givesUpReturn(const std::optional<Goal>& goal, Time now);
+  void endReturn();
   void standUntilItCanDrive(const std::string& what, Time now);
   bool waitsForNavigation(Time now) const;
+  void obeyReplacedMap(Time now);
   void handleEvent(const GoalEvent& event, Time now);
   void stopReached(const Goal& goal, Time now);
   void goalFailed(const Goal& goal, const std::string& what);
@@ -199,11 +202,12 @@ class Explorer::Impl {
   std::uint64_t judged_changes_ = 0;  ///< changes() of the map at the last decision
   bool was_running_ = false;
   bool bounds_changed_ = false;  ///< since the last tick
+  bool map_replaced_ = false;    ///< since the last tick
   int step_backs_ = 0;
-  int vain_returns_ = 0;  ///< attempts to return, one after the other, in which the navigation could not drive
   const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
   std::optional<ExplorerReason> ended_by_;     ///< the stopping rule, until started again
   std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start
+  std::optional<Time> return_waits_since_;     ///< since when it has got nowhere on the way
 };
 
 }  // namespace frontier_pilot::exploration

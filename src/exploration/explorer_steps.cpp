@@ -146,10 +146,7 @@ void Explorer::Impl::evaluateArrival(Time now) {
   if (done_reason_) {
     arrived_.reset();
     goal_pose_.reset();
-    vain_returns_ = 0;
-    enter(ExplorerState::kDone, *done_reason_, "", now);
-    done_reason_.reset();
-    return;
+    return enter(ExplorerState::kDone, *done_reason_, "", now);
   }
   if (status_.reason == ExplorerReason::kGoalPreempted && !passed(state_since_, parameters_.yield_time, now)) return;
   if (arrived_ && arrived_->purpose == Goal::Purpose::kInspection && !hasInspected(now)) return;

@@ -232,6 +232,18 @@ class WaypointsOnTheWire(unittest.TestCase):
         self.assertEqual('no waypoints were added', call('waypoint_follower/start', Trigger).message)
         self.expect_standstill()
 
+    def test_that_were_collected_do_not_outlive_a_map_that_the_navigation_took_for_another(self):  # [NAV-5] [NAV-1]
+        collected = Record('elsewhere/waypoint_follower/waypoints', PoseArray)
+        self.addCleanup(collected.subscriber.unregister)
+        add = rospy.Publisher('elsewhere/waypoint_follower/add', PoseStamped, queue_size=1)
+        self.addCleanup(add.unregister)
+        self.assertTrue(wait_for(lambda: add.get_num_connections() > 0))
+        add.publish(pose(NEAR))
+        self.assertTrue(wait_for(lambda: collected.last and len(collected.last.poses) == 1))
+        type(self).trouble = 'the map was replaced'
+        self.assertTrue(wait_for(lambda: call('elsewhere/waypoint_follower/start', Trigger).success, 5.0))
+        self.assertTrue(wait_for(lambda: not collected.last.poses), '[NAV-1]')
+
 
 if __name__ == '__main__':
     rostest.rosrun('frontier_pilot', 'waypoints', WaypointsOnTheWire)

@@ -54,6 +54,9 @@ class Explorer {
   std::string inspect(const Pose2& pose);
   /// Takes all of that back.
   void clearInspections();
+  /// Another map will come in the place of the present one: takes back the poses to inspect and the goal, and chooses
+  /// the next goal some seconds later.
+  void leaveMap();
   /// The poses that wait to be inspected.
   std::vector<Pose2> inspections() const;
 

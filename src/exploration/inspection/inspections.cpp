@@ -49,6 +49,11 @@ void Explorer::Impl::clearInspections() {
   inspections_cleared_ = true;
 }
 
+void Explorer::Impl::leaveMap() {
+  inspections_.clear();
+  map_replaced_ = true;
+}
+
 /// The waiting poses that the last evaluation found reachable, the nearest first.
 std::vector<Explorer::Impl::ReachableInspection> Explorer::Impl::reachableInspections() const {
   std::vector<ReachableInspection> reachable;

@@ -27,7 +27,7 @@ StoppingRules::State Explorer::Impl::rulesState() const {
 void Explorer::Impl::startAgain(Time now) {
   if (!ended_by_) return;
   ended_by_.reset();
-  done_reason_.reset();
+  endReturn();
   rules_.startOver(rulesState());
   cancelGoal();
   if (status_.state != ExplorerState::kIdle) enter(ExplorerState::kSelectGoal, ExplorerReason::kStartedAgain, "", now);

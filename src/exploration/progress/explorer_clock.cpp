@@ -18,6 +18,7 @@ void Explorer::Impl::heedClock(Time now) {
 void Explorer::Impl::forgetTime(Time now) {
   last_report_.reset();
   nothing_left_since_.reset();
+  return_waits_since_.reset();
   state_since_ = last_check_ = last_decision_ = claims_at_ = now;
   if (status_.state == ExplorerState::kDone) return;
   cancelGoal();
@@ -28,6 +29,7 @@ void Explorer::Impl::forgetTime(Time now) {
 void Explorer::Impl::skipTime(Duration gap) {
   if (patience_) patience_->skip(gap);
   if (nothing_left_since_) *nothing_left_since_ += gap;
+  if (return_waits_since_) *return_waits_since_ += gap;
   state_since_ += gap;
 }
 

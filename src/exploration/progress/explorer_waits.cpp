@@ -1,5 +1,6 @@
 // What the explorer waits for. [EXP-8]
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exploration/explorer_impl.h"
@@ -37,6 +38,8 @@ bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSecond
 
 /// Whether the explorer may act: it is enabled and every input is available. [EXP-8]
 bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
+  const bool is_told_to_stand = !inputs.enabled || inputs.stopped || inputs.others_goal;
+  if (is_told_to_stand) return_waits_since_.reset();
   if (!inputs.enabled) {
     standFor(ExplorerReason::kPaused, now);
     return false;
@@ -77,7 +80,12 @@ std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& 
 }
 
 void Explorer::Impl::stopFor(const std::string& missing, ExplorerReason first, Time now) {
+  const bool gives_up = givesUpReturn(goal_, now);
   cancelGoal();
+  if (gives_up) {
+    note(true, "the robot does not return to the start: missing " + missing);
+    return enter(ExplorerState::kDone, *done_reason_, "", now);
+  }
   const ExplorerReason reason = was_running_ ? first : ExplorerReason::kWaitingForInputs;
   const std::string text = "missing: " + missing;
   const bool news = status_.state != ExplorerState::kIdle || status_.reason != reason || status_.reason_text != text;
@@ -88,11 +96,21 @@ void Explorer::Impl::stopFor(const std::string& missing, ExplorerReason first, T
   }
 }
 
-/// Whether the robot waits until the navigation can drive to `goal`. The way back is given up after a minute or more:
-/// the exploration is done only after it, and the map is saved only then. Counts the attempts. [EXP-10]
-bool Explorer::Impl::isWorthWaitingFor(const Goal& goal) {
-  constexpr int kMostReturns = 12;
-  return goal.purpose != Goal::Purpose::kReturn || ++vain_returns_ <= kMostReturns;
+/// Whether the robot returns to the start and has got nowhere for a minute, because an input is missing or the
+/// navigation cannot drive. It is to be asked each time that the way back to `goal`, the present one, has to wait. The
+/// exploration is done only after the way back, and the map is saved only then. [EXP-10]
+bool Explorer::Impl::givesUpReturn(const std::optional<Goal>& goal, Time now) {
+  constexpr double kGotOn = 0.1;  // [m]
+  constexpr Duration kLongest = std::chrono::minutes(1);
+  if (!done_reason_) return false;
+  const bool got_on = goal && (T_map_base_->position() - goal->sent_from).norm() >= kGotOn;
+  if (!return_waits_since_ || got_on) return_waits_since_ = now;
+  return now - *return_waits_since_ >= kLongest;
+}
+
+void Explorer::Impl::endReturn() {
+  done_reason_.reset();
+  return_waits_since_.reset();
 }
 
 /// A goal that the navigation gave up for no fault of the goal has not failed: any other would have ended in the same
@@ -111,6 +129,16 @@ bool Explorer::Impl::waitsForNavigation(Time now) const {
   constexpr Duration kBetweenAttempts = std::chrono::seconds(5);
   return status_.state == ExplorerState::kIdle && status_.reason == ExplorerReason::kNavigationUnable &&
          now - state_since_ < kBetweenAttempts;
+}
+
+/// Whatever was chosen on the map of before is a place on that one: the next goal is chosen as soon as the new map will
+/// have come. [MAP-5] [NAV-1]
+void Explorer::Impl::obeyReplacedMap(Time now) {
+  if (!std::exchange(map_replaced_, false)) return;
+  if (status_.state == ExplorerState::kIdle || status_.state == ExplorerState::kDone) return;
+  cancelGoal();
+  nothing_left_since_.reset();
+  standUntilItCanDrive("the map was replaced", now);
 }
 
 }  // namespace frontier_pilot::exploration

@@ -28,9 +28,17 @@ std::size_t FrontierExplorerAdapter::takeBackInspections() {
 }
 
 /// They were places on the map of before. [MAP-5]
+void FrontierExplorerAdapter::leaveMap(const std::string& why) {
+  const std::size_t waiting = explorer_.inspections().size();
+  explorer_.leaveMap();
+  markers_due_ = true;
+  last_status_.reset();
+  if (waiting > 0) THROTTLED_WARN(waiting << " poses are not inspected any more: " << why);
+}
+
 void FrontierExplorerAdapter::handleReplaced(const std_msgs::String& msg) {
-  const std::size_t waiting = takeBackInspections();
-  if (waiting > 0) THROTTLED_WARN(waiting << " poses are not inspected any more: " << msg.data);
+  leaveMap(msg.data);
+  tick();  // so that no goal is sent in between that was chosen on the old map
 }
 
 bool FrontierExplorerAdapter::handleClearInspections(std_srvs::Trigger::Request&,

@@ -74,6 +74,7 @@ void FrontierExplorerAdapter::update(Time now) {
   expireClicks();
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
+  if (map_.takeReplaced()) leaveMap("the map of another node has replaced theirs");
   const exploration::ExplorerInputs inputs = gather(now);
   const exploration::ExplorerOutput output = explorer_.update(inputs, now);
   team_.tell(inputs.T_map_base, explorer_.claims(), now);

@@ -57,6 +57,7 @@ class FrontierExplorerAdapter {
   void handleClick(const geometry_msgs::PointStamped& msg);
   void handleInspect(const geometry_msgs::PoseStamped& msg);
   void handleReplaced(const std_msgs::String& msg);
+  void leaveMap(const std::string& why);
   bool handleClearInspections(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleExplain(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);

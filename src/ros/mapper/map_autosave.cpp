@@ -32,6 +32,17 @@ std::string setPreviousAside(const SessionMemory& memory) {
   return {};
 }
 
+/// Stores the pose, on a thread that may wait for a disk which is busy for a moment. Returns why it could not be.
+std::string rememberInTime(const SessionMemory& memory, const std::string& pose) {
+  const SteadyTime end = steadyNow() + std::chrono::seconds(2);
+  std::string problem = memory.remember(pose);
+  while (!problem.empty() && steadyNow() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    problem = memory.remember(pose);
+  }
+  return problem;
+}
+
 /// Returns why it could not be saved; empty if it was. If the copy that is there is of the previous map, `lost` is the
 /// pose, marked as one at which the robot has to be looked for; else it is empty.
 std::string save(const map_files::MapSnapshot& map, const std::string& pose, const std::string& lost,
@@ -42,7 +53,7 @@ std::string save(const map_files::MapSnapshot& map, const std::string& pose, con
   fs::create_directories(base.parent_path(), error);
   if (!lost.empty() && kept_map::exists(base)) {
     // With whichever of the two maps a mapper begins, its pose is not that of the other one.
-    const std::string problem = memory.remember(lost);
+    const std::string problem = rememberInTime(memory, lost);
     if (!problem.empty()) return problem + setPreviousAside(memory);
   }
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);

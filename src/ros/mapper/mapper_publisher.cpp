@@ -45,7 +45,7 @@ void MapperPublisher::advertise() {
   map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, note, {}, {}, true);
   updates_ = node_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
   metadata_ = node_.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true);
-  advertised_ = has_owned_ = true;
+  advertised_ = true;
 }
 
 void MapperPublisher::withdraw() {
@@ -65,6 +65,7 @@ void MapperPublisher::withdraw() {
 void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
   const occupancy::OccupancyMap& map = mapper.map();
   if (!advertised_ || map.empty()) return;
+  has_published_ = true;
   const occupancy::MapChanges changes = mapper.takeChanges();
   compact_.publish(
       map.geometry(), changes.cells, [&map](const CellRect& cells) { return map.projection(cells); }, now);
@@ -73,7 +74,7 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
 }
 
 void MapperPublisher::announceReplacement(const std::string& why) {
-  if (!other_.empty() && !has_owned_) return;
+  if (!other_.empty() && !has_published_) return;
   std_msgs::String msg;
   msg.data = why;
   replaced_.publish(msg);

@@ -54,7 +54,7 @@ class MapperPublisher {
   mapping::MapSchedule schedule_;
   std::string other_;
   bool advertised_ = false;
-  bool has_owned_ = false;  ///< ever
+  bool has_published_ = false;  ///< a map, ever
   ros::Publisher map_;
   ros::Publisher updates_;
   ros::Publisher metadata_;

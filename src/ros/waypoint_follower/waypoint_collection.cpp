@@ -53,8 +53,12 @@ bool WaypointFollowerAdapter::handleClear(Trigger::Request&, Trigger::Response& 
 /// They were places on the map of before, whoever has given them. [MAP-5]
 void WaypointFollowerAdapter::handleReplaced(const std_msgs::String& msg) {
   put(follower_.abortByMap());
+  dropCollected(msg.data);
+}
+
+void WaypointFollowerAdapter::dropCollected(const std::string& why) {
   if (collected_.empty()) return;
-  THROTTLED_WARN(collected_.size() << " collected waypoints are dropped: " << msg.data);
+  THROTTLED_WARN(collected_.size() << " collected waypoints are dropped: " << why);
   collected_.clear();
   publishCollected();
 }

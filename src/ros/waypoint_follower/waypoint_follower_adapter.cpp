@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/PoseArray.h>
 
+#include "frontier_pilot/navigation/navigator_types.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/throttled_log.h"
@@ -58,8 +59,11 @@ void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
 void WaypointFollowerAdapter::handleArbiter(const ArbiterStatus& msg) { permission_.take(msg, rosNow(), steadyNow()); }
 
 void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {
-  inputs_.ended.push_back({leg, kindOf(state), state.getText().empty() ? state.toString() : state.getText()});
+  const std::string text = state.getText().empty() ? state.toString() : state.getText();
+  inputs_.ended.push_back({leg, kindOf(state), text});
   tick();  // at once, so that an explorer finds no gap between two goals
+  // Nobody else says so of the map of another node, as of a map_server in place of the mapper.
+  if (text == navigation::toString(navigation::NavReason::kMapReplaced)) dropCollected(text);
 }
 
 void WaypointFollowerAdapter::tick() {

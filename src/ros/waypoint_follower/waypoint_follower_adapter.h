@@ -47,6 +47,7 @@ class WaypointFollowerAdapter {
   bool handleStart(Trigger::Request& request, Trigger::Response& response);
   bool handleClear(Trigger::Request& request, Trigger::Response& response);
   void handleReplaced(const std_msgs::String& msg);
+  void dropCollected(const std::string& why);
   void publishCollected();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 

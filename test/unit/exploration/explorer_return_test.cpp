@@ -55,5 +55,44 @@ TEST_F(WayBackAfterATime, IsGivenUpAfterAWhileSoThatAnExplorationEndedByARuleIsD
   EXPECT_GT(seconds, 55.0);
 }
 
+// [EXP-8] [EXP-10] The navigation waits for a scan itself before it gives a goal up.
+TEST_F(WayBackWithoutAScan, IsGivenUpAfterAMinuteHoweverLongTheNavigationTakesToSayThatItCannotDrive_EXP_8_EXP_10) {
+  show(kClosedRoom);
+  ASSERT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  const Time begin = now;
+  exploration::ExplorerProgress status = tick().status;
+  while (status.state != State::kDone && now - begin < std::chrono::minutes(10)) {
+    status = tickFor(15.0).status;
+    if (status.state == State::kNavigating) goalEnds(exploration::GoalEvent::Kind::kUnable, "no scan");
+  }
+  EXPECT_EQ(status.reason, Reason::kNoReachableFrontier);
+  EXPECT_LT(toSeconds(now - begin), 120.0);
+}
+
+// [EXP-8] [EXP-10]
+TEST_F(WayBackAfterATime, IsGivenUpAfterAMinuteInWhichAnInputIsMissing_EXP_8_EXP_10) {
+  show(kRoom);
+  ASSERT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  inputs.navigation_refused = "its source avoid has the wheels";
+  EXPECT_EQ(tickFor(55.0).status.state, State::kIdle);
+  const exploration::ExplorerOutput output = tickFor(10.0);
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.status.reason, Reason::kUntilTime);
+}
+
+// [EXP-10] The minute begins anew: who lets the exploration go on wants the robot back.
+TEST_F(WayBackAfterATime, IsNotGivenUpForWhatWasWaitedBeforeAPause_EXP_10) {
+  show(kRoom);
+  ASSERT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  inputs.localized = false;
+  tickFor(40.0);
+  inputs.enabled = false;
+  tickFor(60.0);
+  inputs.enabled = true;
+  EXPECT_EQ(tickFor(40.0).status.state, State::kIdle);
+  inputs.localized = true;
+  EXPECT_EQ(tickFor(2.0).status.reason, Reason::kReturningToStart);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

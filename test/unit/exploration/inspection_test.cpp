@@ -112,6 +112,20 @@ TEST_F(Inspection, WhatIsTakenBackIsNotDrivenToAnyMore_EXP_10) {
   EXPECT_FALSE(inspects(wanted));
 }
 
+// [MAP-5] [NAV-1]
+TEST_F(Inspection, WhatWasChosenOnAMapThatIsReplacedIsNotDrivenToNorAnythingElseOnIt_MAP_5_NAV_1) {
+  show(kTwoEnds);
+  explorer.inspect(beside(-0.2));
+  const std::size_t sent_before = tick().status.goals_sent;
+  explorer.leaveMap();
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kCancel);
+  EXPECT_EQ(output.status.reason, Reason::kNavigationUnable);
+  EXPECT_TRUE(explorer.inspections().empty());
+  EXPECT_EQ(tickFor(4.0).status.goals_sent, sent_before) << "the new map has not come yet";
+  EXPECT_EQ(tickFor(3.0).status.reason, Reason::kGoalSent);
+}
+
 // [EXP-10]
 TEST_F(Inspection, AnExplorationThatIsDoneGoesOnForAPose_EXP_10) {
   show(kClosedRoom);

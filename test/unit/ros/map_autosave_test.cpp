@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <chrono>
 #include <future>
 #include <stdexcept>
+#include <thread>
 
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "ros/common/memory/disk.h"
@@ -71,6 +73,24 @@ TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsNotContinuedWithAtThePlaceOnT
   EXPECT_NE(save(mapAt(5.0), {Pose2(), false}), "") << "the pose could not be written";
   end.set_value();
   EXPECT_THROW(restored(), std::runtime_error) << "neither map is there beside that pose";
+}
+
+// [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsThereAlsoIfTheDiskIsBusyForAMoment_FLT_2_MAP_5) {
+  ASSERT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  autosave_->supersede();
+  setDiskPatience(std::chrono::milliseconds(50));
+  std::promise<void> end;
+  diskThread().run<int>([busy = end.get_future().share()] { return busy.wait(), 0; });
+  std::thread disk([&end] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    end.set_value();
+  });
+  EXPECT_EQ(save(mapAt(5.0), {Pose2(), false}), "");
+  disk.join();
+  const auto pose = restored();
+  ASSERT_TRUE(pose);
+  EXPECT_FALSE(pose->localized);
 }
 
 }  // namespace
