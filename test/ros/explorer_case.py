@@ -53,8 +53,8 @@ class ExplorerCase(unittest.TestCase):
         self.assertTrue(self.comes(lambda status: status.reason == reason),
                         [(s.state_text, s.reason_text) for _, s in self.status.items])
 
-    def expect_done(self, reason):
-        self.assertTrue(self.comes(lambda status: status.state == Status.DONE),
+    def expect_done(self, reason, timeout=10.0):
+        self.assertTrue(self.comes(lambda status: status.state == Status.DONE, timeout),
                         [(s.state_text, s.reason_text) for _, s in self.status.items])
         self.assertEqual(reason, self.status.last.reason, self.status.last.reason_text)
 

@@ -73,8 +73,9 @@ class ExplorerInspection(ExplorerCase):
         replaced.publish('floor.yaml loaded')
         self.assertTrue(wait_for(lambda: not self.status.last.to_inspect), '[MAP-5]')
         self.robot.goals.clear()
+        self.expect_reason(Status.NAVIGATION_UNABLE)  # for five seconds, in which the new map comes
         self.robot.held.clear()
-        self.expect_done(Status.NO_REACHABLE_FRONTIER)
+        self.expect_done(Status.NO_REACHABLE_FRONTIER, 30.0)
         self.assertFalse(self.was_at(1.0, 0.3), self.robot.goals)
         self.assertEqual((0, 0), (self.status.last.inspected, self.status.last.inspections_failed))
         self.assertIn('1 poses are not inspected any more: floor.yaml loaded', self.node.said())
