@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/growing_grid.h"
 #include "occupancy/log_odds.h"
 #include "occupancy/octree_file.h"

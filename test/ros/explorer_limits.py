@@ -2,8 +2,6 @@
 """What bounds and ends an exploration, and goals of others, against a move_base and a map that are not ours."""
 import math
 import signal
-import subprocess
-import sys
 import threading
 import time
 
@@ -22,7 +20,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from explorer_case import START, ExplorerCase
 from foreign_robot import hall
-from wire import Record, call, wait_for
+from wire import Record, Stranger, call, wait_for
 
 RIGHT = [-0.9, -2.0, 5.0, -2.0, 5.0, 2.0, -0.9, 2.0]  # without the left end
 
@@ -59,28 +57,29 @@ class ExplorerLimits(ExplorerCase):
         self.expect_done(Status.NO_REACHABLE_FRONTIER)
         self.assertTrue(all(x > -0.9 for x, _ in self.robot.goals), self.robot.goals)
 
-    # [EXP-10] [FLT-2]
-    def test_keeps_the_bounds_of_a_service_when_it_dies(self):
+    def explore_within_bounds_of_a_service(self):
         self.explore()
         self.assertTrue(wait_for(lambda: self.robot.goals))
         self.assertTrue(call('frontier_explorer/set_bounds', SetBounds, rectangle(-1.0, 5.0), [rectangle(1.0, 2.0)]).success)
-        self.start_again()
+
+    def expect_the_bounds_of_the_service(self):
         self.assertTrue(self.comes(lambda status: len(status.stay_within.points) == 4 and len(status.keep_out) == 1), '[FLT-2]')
 
     # [EXP-10] [FLT-2]
+    def test_keeps_the_bounds_of_a_service_when_it_dies(self):
+        self.explore_within_bounds_of_a_service()
+        self.start_again()
+        self.expect_the_bounds_of_the_service()
+
+    # [EXP-10] [FLT-2]
     def test_leaves_its_bounds_to_the_next_one_when_a_node_of_another_program_takes_its_name(self):
-        self.explore()
-        self.assertTrue(wait_for(lambda: self.robot.goals))
-        self.assertTrue(call('frontier_explorer/set_bounds', SetBounds, rectangle(-1.0, 5.0), [rectangle(1.0, 2.0)]).success)
-        namesake = subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('frontier_explorer'); rospy.spin()"])
-        self.addCleanup(namesake.wait)
-        self.addCleanup(namesake.terminate)
+        self.explore_within_bounds_of_a_service()
+        namesake = Stranger(self, 'frontier_explorer')
         self.node.finish(20.0)  # the master has told it to end
-        namesake.terminate()
-        namesake.wait()
+        namesake.end()
         self.status.items.clear()
         self.start()
-        self.assertTrue(self.comes(lambda status: len(status.stay_within.points) == 4 and len(status.keep_out) == 1), '[FLT-2]')
+        self.expect_the_bounds_of_the_service()
 
     # [EXP-10] [FLT-2]
     def test_does_not_drive_off_again_when_it_dies_after_a_stopping_rule_has_ended_the_exploration(self):

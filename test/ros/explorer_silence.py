@@ -9,10 +9,20 @@ from explorer_case import ExplorerCase
 
 
 class ExplorerSilence(ExplorerCase):
-    def expect_that_it_waits_for_odometry(self, ahead):
+    def hold_the_robot(self, ahead=0.0):
+        """It reaches no goal; its odometry lives, with stamps that are `ahead` [s] of the clock."""
         self.robot.held.set()
         self.addCleanup(self.robot.held.clear)
         self.robot.odometry_lives, self.robot.odometry_ahead = True, ahead
+
+    def repeat(self, status):
+        """Publishes `status`, which the test may change, as that of an arbiter."""
+        arbiter = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        timer = rospy.Timer(rospy.Duration(0.5), lambda _: arbiter.publish(status))
+        self.addCleanup(timer.shutdown)
+
+    def expect_that_it_waits_for_odometry(self, ahead):
+        self.hold_the_robot(ahead)
         self.explore()
         self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING, 20.0), self.status.last)
         self.status.items.clear()
@@ -28,9 +38,7 @@ class ExplorerSilence(ExplorerCase):
 
     # [EXP-8]
     def test_it_waits_for_a_navigation_that_has_no_scan(self):
-        self.robot.held.set()
-        self.addCleanup(self.robot.held.clear)
-        self.robot.odometry_lives, self.robot.odometry_ahead = True, 0.0
+        self.hold_the_robot()
         self.robot.trouble = 'no scan'
         self.addCleanup(setattr, self.robot, 'trouble', '')
         self.explore()
@@ -43,13 +51,9 @@ class ExplorerSilence(ExplorerCase):
 
     # [EXP-8]
     def test_it_waits_while_the_arbiter_ignores_the_navigation(self):
-        self.robot.held.set()
-        self.addCleanup(self.robot.held.clear)
-        self.robot.odometry_lives, self.robot.odometry_ahead = True, 0.0
-        arbiter = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.hold_the_robot()
         nav = ArbiterSource(name='nav', topic='/cmd_vel_nav', enabled=False)
-        timer = rospy.Timer(rospy.Duration(0.5), lambda _: arbiter.publish(ArbiterStatus(sources=[nav])))
-        self.addCleanup(timer.shutdown)
+        self.repeat(ArbiterStatus(sources=[nav]))
         self.explore()
         self.assertTrue(self.comes(lambda status: 'source nav' in status.reason_text), self.status.last)
         nav.enabled = True
@@ -59,14 +63,10 @@ class ExplorerSilence(ExplorerCase):
 
     # [EXP-8] [ARB-12]
     def test_it_waits_while_the_arbiter_stands_because_a_stranger_offers_its_services(self):
-        self.robot.held.set()
-        self.addCleanup(self.robot.held.clear)
-        self.robot.odometry_lives, self.robot.odometry_ahead = True, 0.0
-        arbiter = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.hold_the_robot()
         nav = ArbiterSource(name='nav', topic='/cmd_vel_nav', enabled=True)
         status = ArbiterStatus(state=ArbiterStatus.CONTESTED, sources=[nav])
-        timer = rospy.Timer(rospy.Duration(0.5), lambda _: arbiter.publish(status))
-        self.addCleanup(timer.shutdown)
+        self.repeat(status)
         self.explore()
         self.expect_reason(Status.NAVIGATION_DISABLED)
         self.assertIn('emergency stop', self.status.last.reason_text)

@@ -2,8 +2,6 @@
 """Which map, and which place in it, a mapper goes on with that is started after another one died."""
 import os
 import signal
-import subprocess
-import sys
 import time
 
 import rosgraph
@@ -15,7 +13,7 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
 from mapper_case import SMALL, MapperCase, kept_maps, newest_map
-from wire import Node, Record, call, free_port, use_a_home_of_its_own, wait_for
+from wire import Node, Record, Stranger, call, free_port, use_a_home_of_its_own, wait_for
 
 JUMP = 3.0  # of odometry [m]
 
@@ -123,14 +121,15 @@ class MapperResume(MapperCase):
         self.assertTrue(wait_for(lambda: self.known() > 0.95 * room), '[FLT-2]')
 
     def lose_the_name(self, take_it):
-        """Maps until the master ends the mapper, because `take_it()` registers its name. Gives the number of known cells."""
+        """Maps until the master ends the mapper, because `take_it()` registers its name. Gives the number of known cells, and what
+        `take_it` gave."""
         mapper = self.start()
         self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
         known, kept = self.known(), newest_map()
-        take_it()
+        taken = take_it()
         mapper.finish(20.0)
         self.assertTrue(os.path.exists(kept) and os.path.exists(kept + '.bt'), '[FLT-2]')
-        return known
+        return known, taken
 
     def assert_the_next_mapper_has(self, known):
         self.forget_the_map()
@@ -138,21 +137,14 @@ class MapperResume(MapperCase):
         self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * known, 20.0), '[FLT-2]')
 
     def test_a_mapper_that_a_node_of_its_name_replaces_leaves_its_map_for_the_next_one(self):  # [FLT-2]
-        namesakes = []
-
-        def take_it():
-            namesakes.append(subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('mapper'); rospy.spin()"]))
-            self.addCleanup(namesakes[0].wait)
-            self.addCleanup(namesakes[0].terminate)
-        known = self.lose_the_name(take_it)
-        namesakes[0].terminate()
-        namesakes[0].wait()
+        known, namesake = self.lose_the_name(lambda: Stranger(self, 'mapper'))
+        namesake.end()
         self.assert_the_next_mapper_has(known)
 
     def test_a_mapper_leaves_its_map_also_if_the_node_of_its_name_ended_before_it(self):  # [FLT-2]
         ended = 'http://127.0.0.1:%d/' % free_port()
-        self.assert_the_next_mapper_has(self.lose_the_name(
-            lambda: rosgraph.Master('/mapper').registerPublisher('/its_topic', 'std_msgs/Bool', ended)))
+        known, _ = self.lose_the_name(lambda: rosgraph.Master('/mapper').registerPublisher('/its_topic', 'std_msgs/Bool', ended))
+        self.assert_the_next_mapper_has(known)
 
     def test_a_map_without_a_known_cell_is_not_missed(self):  # [FLT-2]
         mapper = self.start()

@@ -7,6 +7,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -159,6 +160,18 @@ class Node:
         if not self.has_ended():
             self.signal(signal.SIGINT)
         self.process.communicate()
+
+
+class Stranger:
+    """A node of another program, in a process of its own, which ends with `test` at the latest."""
+
+    def __init__(self, test, name):
+        self.process = subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('%s'); rospy.spin()" % name])
+        test.addCleanup(self.end)
+
+    def end(self):
+        self.process.terminate()
+        self.process.wait()
 
 
 def pid_of(node):

@@ -131,8 +131,8 @@ bool Explorer::Impl::waitsForNavigation(Time now) const {
          now - state_since_ < kBetweenAttempts;
 }
 
-/// Whatever was chosen on the map of before is a place on that one: the next goal is chosen as soon as the new map will
-/// have come. [MAP-5] [NAV-1]
+/// Whatever was chosen on the map of before is a place on that one: the next goal is chosen some seconds later, when
+/// the new map has come. [MAP-5] [NAV-1]
 void Explorer::Impl::obeyReplacedMap(Time now) {
   if (!std::exchange(map_replaced_, false)) return;
   if (status_.state == ExplorerState::kIdle || status_.state == ExplorerState::kDone) return;

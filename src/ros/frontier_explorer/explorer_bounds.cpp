@@ -53,8 +53,7 @@ bool FrontierExplorerAdapter::handleClearBounds(std_srvs::Trigger::Request&, std
 /// Puts new bounds into force, unless something is wrong with them, and says so.
 FrontierExplorerAdapter::BoundsAnswer FrontierExplorerAdapter::takeBounds(
     const exploration::ExplorationBounds& bounds) {
-  markers_due_ = true;
-  last_status_.reset();
+  tellAtOnce();
   const std::string problem = bounds.problem();
   if (!problem.empty()) return {false, problem + "; the bounds are as before"};
   explorer_.setBounds(bounds, map_.ready() ? map_.map() : OccupancyGrid());
@@ -72,8 +71,7 @@ void FrontierExplorerAdapter::handleClick(const geometry_msgs::PointStamped& msg
   const auto at = inMapFrame(msg, why);
   if (!at) return bad_clicks_.add(why);
   const auto click = clicked_.add(*at, steadyNow());
-  markers_due_ = true;
-  last_status_.reset();
+  tellAtOnce();
   if (click == ClickedPolygon::Click::kTooMany) return bad_clicks_.add("the bounds have as many corners as they may");
   if (click == ClickedPolygon::Click::kClosed) return closePolygon();
   if (click == ClickedPolygon::Click::kSame) return;
@@ -94,8 +92,7 @@ void FrontierExplorerAdapter::closePolygon() {
 /// Drops a polygon that nobody has gone on with.
 void FrontierExplorerAdapter::expireClicks() {
   if (!clicked_.expire(steadyNow())) return;
-  markers_due_ = true;
-  last_status_.reset();
+  tellAtOnce();
   THROTTLED_INFO("the corners clicked so far are dropped: no click for half a minute");
 }
 

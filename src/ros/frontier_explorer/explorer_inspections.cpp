@@ -11,28 +11,16 @@ void FrontierExplorerAdapter::handleInspect(const geometry_msgs::PoseStamped& ms
   const auto pose = poseInFrame(msg, parameters_.map_frame, tf_, why);
   if (pose) why = explorer_.inspect(*pose);
   if (!pose || !why.empty()) return bad_inspections_.add(why);
-  markers_due_ = true;
-  last_status_.reset();
+  tellAtOnce();
   THROTTLED_INFO("to be inspected on the way: (" << pose->x << ", " << pose->y << "); "
                                                  << explorer_.inspections().size() << " poses wait");
-}
-
-/// Gives how many have waited.
-std::size_t FrontierExplorerAdapter::takeBackInspections() {
-  const std::size_t waiting = explorer_.inspections().size();
-  explorer_.clearInspections();
-  markers_due_ = true;
-  last_status_.reset();
-  tick();  // so that a goal to one of them is cancelled before a caller is answered
-  return waiting;
 }
 
 /// They were places on the map of before. [MAP-5]
 void FrontierExplorerAdapter::leaveMap(const std::string& why) {
   const std::size_t waiting = explorer_.inspections().size();
   explorer_.leaveMap();
-  markers_due_ = true;
-  last_status_.reset();
+  tellAtOnce();
   if (waiting > 0) THROTTLED_WARN(waiting << " poses are not inspected any more: " << why);
 }
 
@@ -43,7 +31,10 @@ void FrontierExplorerAdapter::handleReplaced(const std_msgs::String& msg) {
 
 bool FrontierExplorerAdapter::handleClearInspections(std_srvs::Trigger::Request&,
                                                      std_srvs::Trigger::Response& response) {
-  const std::size_t waiting = takeBackInspections();
+  const std::size_t waiting = explorer_.inspections().size();
+  explorer_.clearInspections();
+  tellAtOnce();
+  tick();  // so that a goal to one of them is cancelled before the caller is answered
   response.success = 1U;
   response.message = waiting == 0
                          ? "nothing waits to be inspected: nothing changed"

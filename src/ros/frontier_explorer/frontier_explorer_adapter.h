@@ -65,8 +65,9 @@ class FrontierExplorerAdapter {
   bool handleSetBounds(SetBounds::Request& request, SetBounds::Response& response);
   bool handleClearBounds(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
-  std::size_t takeBackInspections();
   void addServices();
+  /// Publishes markers and status in the next cycle.
+  void tellAtOnce() { markers_due_ = true, last_status_.reset(); }
   void resume();
   void remember();
   void pause(const std::string& why);

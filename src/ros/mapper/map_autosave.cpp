@@ -35,12 +35,11 @@ std::string setPreviousAside(const SessionMemory& memory) {
 /// Stores the pose, on a thread that may wait for a disk which is busy for a moment. Returns why it could not be.
 std::string rememberInTime(const SessionMemory& memory, const std::string& pose) {
   const SteadyTime end = steadyNow() + std::chrono::seconds(2);
-  std::string problem = memory.remember(pose);
-  while (!problem.empty() && steadyNow() < end) {
+  for (;;) {
+    std::string problem = memory.remember(pose);
+    if (problem.empty() || steadyNow() >= end) return problem;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    problem = memory.remember(pose);
   }
-  return problem;
 }
 
 /// Returns why it could not be saved; empty if it was. If the copy that is there is of the previous map, `lost` is the

@@ -31,7 +31,7 @@ class MoveBaseServer {
   /// robot drives after the clear. [ARB-8]
   void setStopped(bool stopped);
   bool isStopped() const { return stopped_since_.has_value(); }
-  /// Ends all goals, which were meant for a map that has been replaced. [MAP-5]
+  /// Ends all goals, which were meant for a map that has been replaced. [NAV-1]
   void endForReplacedMap();
   /// Moves what has come since the last call into `inputs`: a new goal, a cancel, and that the map was replaced.
   void fill(navigation::NavigatorInputs& inputs);

@@ -37,6 +37,15 @@ class MapAutosaveInASession : public ::testing::Test {
     map.hit({0, 0});
     return map;
   }
+  /// Another map is loaded in place of the one that is kept, while the disk is busy until the promise is kept.
+  std::promise<void> loadWhileTheDiskIsBusy() {
+    EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+    autosave_->supersede();
+    setDiskPatience(std::chrono::milliseconds(50));
+    std::promise<void> end;
+    diskThread().run<int>([busy = end.get_future().share()] { return busy.wait(), 0; });
+    return end;
+  }
   std::string save(occupancy::OccupancyMap map, const MapPose& pose) {
     autosave_->save(map, pose, {++scans_, 0}, [](const std::function<void()>& job) { job(); });
     return autosave_->whyNotSaved();
@@ -65,11 +74,7 @@ TEST_F(MapAutosaveInASession, IsContinuedWithAtTheSamePlace_FLT_2) {
 
 // [FLT-2] [MAP-5]
 TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsNotContinuedWithAtThePlaceOnTheMapBefore_FLT_2_MAP_5) {
-  ASSERT_EQ(save(mapAt(0.0), {kThere, true}), "");
-  autosave_->supersede();
-  setDiskPatience(std::chrono::milliseconds(50));
-  std::promise<void> end;
-  diskThread().run<int>([hung = end.get_future().share()] { return hung.wait(), 0; });
+  std::promise<void> end = loadWhileTheDiskIsBusy();
   EXPECT_NE(save(mapAt(5.0), {Pose2(), false}), "") << "the pose could not be written";
   end.set_value();
   EXPECT_THROW(restored(), std::runtime_error) << "neither map is there beside that pose";
@@ -77,11 +82,7 @@ TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsNotContinuedWithAtThePlaceOnT
 
 // [FLT-2] [MAP-5]
 TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsThereAlsoIfTheDiskIsBusyForAMoment_FLT_2_MAP_5) {
-  ASSERT_EQ(save(mapAt(0.0), {kThere, true}), "");
-  autosave_->supersede();
-  setDiskPatience(std::chrono::milliseconds(50));
-  std::promise<void> end;
-  diskThread().run<int>([busy = end.get_future().share()] { return busy.wait(), 0; });
+  std::promise<void> end = loadWhileTheDiskIsBusy();
   std::thread disk([&end] {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     end.set_value();

@@ -46,6 +46,15 @@ std::string findOtherServer(const char* action) {
   return firstLivingOther(nodes);
 }
 
+/// Throws if `find` goes on giving a node that does `what`, because of which this one must not start beside it, for the
+/// reason `why`.
+void refuseBeside(const std::function<std::string()>& find, const std::string& what, const std::string& why) {
+  const std::string other = waitUntilGone(find);
+  if (other.empty()) return;
+  throw std::runtime_error(other + " " + what + " already: " + why + ". End that one first (rosnode kill " + other +
+                           ")");
+}
+
 /// Takes back what `node` is registered for under these names. False if the master does not answer.
 bool unregister(const char* method, const NodesByName& registered, const std::string& node,
                 const std::function<std::string(const std::string&)>& addressOf) {
@@ -104,19 +113,13 @@ void refuseANamesake() {
 }
 
 void refuseASecondProvider(const char* service) {
-  const std::string other = waitUntilGone([service] { return findOtherProvider(service); });
-  if (other.empty()) return;
-  throw std::runtime_error(other + " offers " + ros::names::resolve(service) +
-                           " already: its callers would reach only one of " +
-                           "the two nodes. End that one first (rosnode kill " + other + ")");
+  refuseBeside([service] { return findOtherProvider(service); }, "offers " + ros::names::resolve(service),
+               "its callers would reach only one of the two nodes");
 }
 
 void refuseASecondServer(const char* action) {
-  const std::string other = waitUntilGone([action] { return findOtherServer(action); });
-  if (other.empty()) return;
-  throw std::runtime_error(other + " serves the action " + ros::names::resolve(action) +
-                           " already: both nodes would drive to each of its goals. End that one first (rosnode kill " +
-                           other + ")");
+  refuseBeside([action] { return findOtherServer(action); }, "serves the action " + ros::names::resolve(action),
+               "both nodes would drive to each of its goals");
 }
 
 }  // namespace frontier_pilot
