@@ -202,6 +202,8 @@ class ArbiterLife(unittest.TestCase):
         self.assertEqual([over_tcp[0], over_tcp[2][0]], [1, 'TCPROS'])
         self.assertEqual(slave.requestTopic('/test', '/nobodys', [['TCPROS']])[0], 0)
         self.assertEqual(slave.shutdown('/test')[0], 0, 'without a reason')
+        killed = '[/mapper] Reason: new node registered with same name'
+        self.assertEqual(slave.shutdown('/master', killed)[0], 0, 'for a process that had the same port')
         self.assertFalse(wait_for(node.has_ended, 1.0), '[FLT-1]')
         self.assertTrue(call('/called/emergency_stop', Trigger).success)
 

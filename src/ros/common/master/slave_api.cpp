@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/network.h>
+#include <ros/this_node.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 
@@ -47,10 +48,18 @@ void requestTopic(Value& arguments, Value& result) {
   result[2][2] = static_cast<int>(tcpPort());
 }
 
+/// The master says why as "[/NODE] Reason: ...", and calls the address that it has for this node. If that process was
+/// killed, another one may have its port by now.
+bool isMeantForAnotherNode(const std::string& reason) {
+  const std::size_t end = reason.find("] Reason: ");
+  return end != std::string::npos && reason.substr(0, end) != "[" + ros::this_node::getName();
+}
+
 /// `arguments` are the caller's name and why this node is to end, which roscpp only logs.
 void shutDown(Value& arguments, Value& result) {
   if (arguments.getType() != Value::TypeArray || arguments.size() < 2) return refuse(result, "no reason is given");
   const std::string reason = arguments[1];
+  if (isMeantForAnotherNode(reason)) return refuse(result, "this is " + ros::this_node::getName());
   ROS_WARN_STREAM("ROS shuts this node down: " << reason);
   if (reason.find("new node registered with same name") != std::string::npos) g_replaced = true;
   ros::requestShutdown();
