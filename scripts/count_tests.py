@@ -2,13 +2,15 @@
 """Counts the test cases in a folder of JUnit XML files.
 
 Prints "PASSED FAILED" and then the name of each failed case. A file that cannot be read counts as a failure, because
-its test died while writing it. A ROS test leaves two files: rosunit-*.xml with its cases, and rostest-*.xml with one
-case for the whole, which fails if the test died and passes even if cases failed.
+its test died before it had written it; scripts/dead_tests.py shows what is known of that. A ROS test leaves two files:
+rosunit-*.xml with its cases, and rostest-*.xml with one case for the whole, which fails if the test could not be started
+and passes even if cases failed or its program died.
 """
 import pathlib
 import xml.etree.ElementTree as xml
 
 from command_line import CommandLine
+from dead_tests import DeadTest
 
 
 def cases(path):
@@ -28,7 +30,7 @@ def main():
         try:
             found = list(cases(path))
         except xml.ParseError:
-            failed.append('%s: not readable' % path.name)
+            failed.append('%s: not readable: %s' % (path.name, DeadTest(path)))
             continue
         failed += [name for name, bad, _ in found if bad]
         if path.name.startswith('rostest-'):
