@@ -70,17 +70,28 @@ def end_quietly_until_main():
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
+_TOLD_TO_END = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
+
+
 def clean_up_when_told_to_end():
     """From now on Ctrl-C, SIGTERM and SIGHUP end the process by way of SystemExit, so that its temporary files are removed. Further
     signals do not interrupt that. What is ignored stays ignored: SIGHUP by nohup, Ctrl-C in the background of a script."""
-    numbers = [number for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if signal.getsignal(number) != signal.SIG_IGN]
+    for number in _TOLD_TO_END:
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, _end)
 
-    def end(number, _):
-        for each in numbers:
-            signal.signal(each, signal.SIG_IGN)
-        sys.exit(128 + number)
-    for number in numbers:
-        signal.signal(number, end)
+
+def _end(number, _):
+    end_undisturbed()
+    sys.exit(128 + number)
+
+
+def end_undisturbed():
+    """From now on what clean_up_when_told_to_end has begun to heed does nothing: the work is done, or is being left. It would interrupt
+    what libraries do last, where Python prints a traceback and goes on with the exit code of before."""
+    for number in _TOLD_TO_END:
+        if signal.getsignal(number) == _end:
+            signal.signal(number, signal.SIG_IGN)
 
 
 def _drop_what_stderr_does_not_take():
@@ -112,6 +123,7 @@ def exit_with(main):
         say("%s: failed with %s: %s; with FRONTIER_PILOT_TRACEBACK=1 it says where" % (
             os.path.basename(sys.argv[0]), type(error).__name__, printable(str(error))), sys.stderr)
         code = 1
+    end_undisturbed()
     code = code if _written() else code or 1
     _drop_what_stderr_does_not_take()
     sys.exit(code)

@@ -2,6 +2,8 @@
 import os
 import tempfile
 
+from command_line import end_undisturbed
+
 from .bag_files import ReportError
 
 MARK = '<meta name="generator" content="frontier_pilot report">'  # near the beginning of each page
@@ -50,6 +52,7 @@ def _replace(out, text):
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(part, 0o666 & ~mask)
+        end_undisturbed()  # once the page is there, it is not said that there is none
         os.replace(part, out)
     except BaseException:
         os.remove(part)

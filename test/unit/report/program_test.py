@@ -109,6 +109,19 @@ class Program(FolderCase):
                 self.assertEqual((report.returncode, said), (128 + number, ''))
                 self.assertEqual((os.listdir(temporary), os.listdir(self.folder)), ([], ['run_0.bag.active']))
 
+    # [REC-2]
+    def test_a_signal_when_the_page_is_there_is_too_late(self):
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            with self.subTest(signal=number.name):
+                page = self.path(number.name + '.html')
+                report = subprocess.Popen([PROGRAM, self.bag, '--out', page], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                          preexec_fn=receive_all_signals, universal_newlines=True)
+                while report.poll() is None and not os.path.exists(page):
+                    time.sleep(0.001)
+                report.send_signal(number)
+                said, _ = report.communicate(timeout=60)
+                self.assertEqual((report.returncode, said), (0, page + '\n'))
+
     def test_each_mark_of_the_legend_has_a_shape(self):
         self.assertEqual(self.report(self.bag, '--out', self.path('page.html')).returncode, 0)
         page = pathlib.Path(self.path('page.html')).read_text()

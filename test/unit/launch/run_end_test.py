@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""How scripts/run ends when a signal comes while it makes the report."""
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+RUN = pathlib.Path(__file__).resolve().parents[3] / 'scripts/run'
+BEFORE = 'set -euo pipefail; root=. claim=claim record=true; say() { echo "$1"; }\n'
+AFTER = '\nlogs=.; heed_signals; trap end_by_itself EXIT; exit "$1"'
+# In place of scripts/report: it ends when a file `enough` is there.
+REPORT = '''#!/bin/bash
+trap 'exit 129' HUP
+echo $$ >number
+while [ ! -e enough ]; do sleep 0.05; done
+echo page.html
+'''
+
+
+class RunEnd(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / 'recorded').symlink_to(self.folder)
+        report = self.folder / 'scripts/report'
+        report.parent.mkdir()
+        report.write_text(REPORT)
+        report.chmod(0o755)
+
+    def making_the_report(self, code):
+        """The end of the script after an exploration that ended with this code, and the number of the process that makes its report."""
+        functions = re.search(r'^launch=0 watch=0.*?(?=^hold_signals\n)', RUN.read_text(), re.M | re.S).group()
+        script = subprocess.Popen(['bash', '-c', BEFORE + functions + AFTER, 'run', str(code)], cwd=self.folder, text=True,
+                                  preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        number = self.folder / 'number'
+        while not number.exists() or not number.read_text():
+            time.sleep(0.01)
+        return script, int(number.read_text())
+
+    def ended(self, script):
+        out, err = script.communicate(timeout=60)
+        return script.returncode, out.splitlines()[-1], err
+
+    def test_a_signal_is_told_by_the_exit_code_although_the_report_is_made(self):
+        for code, number, told in ((0, signal.SIGINT, 130), (0, signal.SIGTERM, 143), (0, signal.SIGHUP, 129), (1, signal.SIGINT, 1)):
+            with self.subTest(code=code, signal=number.name):
+                script, _ = self.making_the_report(code)
+                script.send_signal(number)
+                (self.folder / 'enough').touch()
+                self.assertEqual(self.ended(script), (told, 'Report: page.html', ''))
+                (self.folder / 'enough').unlink()
+                (self.folder / 'number').unlink()
+
+    def test_without_a_signal_the_exit_code_is_that_of_the_exploration(self):
+        (self.folder / 'enough').touch()
+        for code in (0, 1):
+            self.assertEqual(self.ended(self.making_the_report(code)[0]), (code, 'Report: page.html', ''))
+
+    def test_a_terminal_that_is_closed_ends_the_report_and_it_is_said_how_to_make_it(self):
+        script, report = self.making_the_report(0)
+        script.send_signal(signal.SIGHUP)
+        subprocess.run(['kill', '-HUP', str(report)], check=True)
+        code, _, err = self.ended(script)
+        self.assertEqual((code, err), (129, "scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n"))
+
+
+if __name__ == '__main__':
+    unittest.main()
