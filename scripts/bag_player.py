@@ -59,10 +59,8 @@ def require_writable(path):
         raise BagError('save_map:=%s: that is not the name of a file' % path)
     if not os.path.isabs(path):
         return
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise BagError('save_map:=%s: its folder cannot be made: %s' % (path, error))
+    if not os.path.isdir(folder):
+        raise BagError('save_map:=%s: there is no folder %s; make it first, or give another path' % (path, folder))
     if not os.access(folder, os.W_OK | os.X_OK):
         raise BagError('save_map:=%s: nothing can be written to its folder' % path)
 

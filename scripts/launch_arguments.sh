@@ -92,7 +92,9 @@ check_value() {
       [ "$(printf %s.yaml "${value##*/}" | wc -c)" -le 255 ] ||
         wrong_argument "$value" "map: the name '${value##*/}' is too long for a file"
       [ ! -d "$value" ] && [[ $value != */ ]] || wrong_argument "$value" "map: '$value' is a folder; give the path of the map's files, such as ${value%/}/floor"
-      mkdir -p "$(dirname -- "$value")" 2>/dev/null && [ -w "$(dirname -- "$value")" ] ||
+      [ -d "$(dirname -- "$value")" ] ||
+        wrong_argument "$value" "map: there is no folder '$(dirname -- "$value")'; make it first, or give another path"
+      [ -w "$(dirname -- "$value")" ] ||
         wrong_argument "$value" "map: nothing can be written to the folder of '$value'" ;;
     map_file)
       [ -z "$value" ] || [ "$value" = none ] || [ -f "$value" ] || [ -f "$value.yaml" ] || [ -f "$value.bt" ] ||

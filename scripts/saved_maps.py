@@ -59,7 +59,6 @@ def ask_to_save(path_of):
     """Has the mapper save the map to the path that this gives, and prints where it is. Raises what went wrong."""
     path = os.path.abspath(path_of())
     try:
-        os.makedirs(os.path.dirname(path), exist_ok=True)
         rospy.wait_for_service('mapper/save_map', timeout=10.0)
         answer = rospy.ServiceProxy('mapper/save_map', SaveMap)(path)
         if not answer.success:

@@ -163,7 +163,8 @@ class PlayBag(unittest.TestCase):
                               ('_speed:=fast', "speed:='fast' is not understood"),
                               ('_mount:=1 2', "mount:='1 2' is not understood"),
                               ('_mount:=a b c', "mount:='a b c' is not understood"),
-                              ('_save_map:=%s/floor' % self.bag, 'its folder cannot be made'),
+                              ('_save_map:=%s/floor' % self.bag, 'there is no folder'),
+                              ('_save_map:=%s/nowhere/floor' % self.folder, 'there is no folder %s/nowhere; make it first' % self.folder),
                               ('_save_map:=%s/' % self.folder, 'not the name of a file'),
                               ('_save_map:=/tmp/' + 251 * 'x', 'not the name of a file')):
             player = Node('bag_player.py', '_bag:=' + self.bag, '_speed:=2.0', '__name:=another_player', option)

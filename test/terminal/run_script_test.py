@@ -26,7 +26,7 @@ class RunScript(RunTestCase):
         pathlib.Path(self.folder.name, 'my_robot').write_text('disc_radius: 0.2\n')  # only with a / or .yaml it is a file
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('world:=nowhere', 'office'), ('robot:=tank', 'waffle'), ('robot:=my_robot', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
-                            ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
+                            ('x:=left', 'number'), ('map:=/proc/nowhere/floor', "there is no folder '/proc/nowhere'"), ('map:=/tmp', 'is a folder'),
                             ('map:=/tmp/none/', 'is a folder'),
                             ('map:=a\tb', 'control character'), ('map:=/tmp/\udcff', 'UTF-8'), ('world:=/$(x)/a.yaml', 'substitution'),
                             ('map:=/tmp/a:=b', "must not contain ':='"), ('world:=a:=b', "must not contain ':='"),

@@ -98,6 +98,7 @@ class RunWindows(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
 
     def test_a_value_may_begin_with_the_home_folder(self):
+        (self.folder / 'maps of today').mkdir()
         process = self.start_until_done('map:=~/maps of today/floor')
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
@@ -153,6 +154,13 @@ class RunWindows(unittest.TestCase):
             self.assertRegex(err, '^scripts/run: map: nothing can be written to the folder .*/maps, where the map would be saved; give '
                                   'another path with map:=PATH; .*\n$')
             self.assertFalse(self.watched.exists(), 'it was built')
+
+    def test_the_folder_of_a_map_is_not_made(self):
+        process = self.start('map:=%s/nowhere/floor' % self.folder)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (2, ''))
+        self.assertRegex(err, "^scripts/run: map: there is no folder '.*/nowhere'; make it first, or give another path; .*\n$")
+        self.assertFalse((self.folder / 'nowhere').exists())
 
     def test_a_folder_of_maps_does_not_matter_if_the_map_is_saved_elsewhere(self):
         (self.caller / 'maps').write_text('')

@@ -78,6 +78,11 @@ class SavedMaps(unittest.TestCase):
         self.assertEqual(saved_maps.save_map(''), Saved.ELSEWHERE)
         self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
 
+    def test_no_folder_is_made_for_the_path_of_somebody(self):
+        saved_maps.save_map(os.path.join(self.folder, 'nowhere', 'floor'))
+        self.assertEqual(self.asked, [os.path.join(self.folder, 'nowhere', 'floor')])
+        self.assertFalse(os.path.exists('nowhere'))
+
     def test_why_no_map_was_saved_is_said(self):
         self.answers = 3 * [SaveMapResponse(success=False, message='there is no map')]
         self.assertEqual(saved_maps.save_map('/tmp/floor'), Saved.NOWHERE)
