@@ -7,7 +7,7 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
 
-from readable_bag import DAMAGE, is_no_file
+from readable_bag import DAMAGE, why_no_bag
 
 MOST_BYTES = 300_000  # of a message: 36000 ranges and intensities, as many as the nodes take, have 288 kB
 MOST_MEMORY = 4_000_000_000  # of all messages that are played [bytes], as map_log takes for a bag
@@ -89,8 +89,9 @@ def read_bag(path):
     classes = {'sensor_msgs/LaserScan': LaserScan, 'nav_msgs/Odometry': Odometry, 'tf2_msgs/TFMessage': TFMessage,
                'tf/tfMessage': TFMessage}
     topics, others, memory = {}, {}, 0
-    if is_no_file(path):
-        raise BagError('%s: it is not a regular file' % path)
+    why = why_no_bag(path)
+    if why:
+        raise BagError('%s: %s' % (path, why))
     try:
         with rosbag.Bag(path) as bag:
             # Raw, because the bag may hold types whose definition nobody has.

@@ -23,6 +23,17 @@ def is_of_the_system(error):
     return isinstance(error, OSError) and error.errno in LACKS
 
 
-def is_no_file(path):
-    """Whether `path` is something that must not be opened as a bag: reading a pipe or a device may never end."""
-    return os.path.exists(path) and not os.path.isfile(path)
+FIRST_LINE = 100  # [bytes], within which the first line of every bag ends
+
+
+def why_no_bag(path):
+    """What is wrong with what must not be opened as a bag: reading a pipe or a device may never end, and rosbag reads the first line of
+    any file into memory, which may be gigabytes of zeros after a crash. Empty for all else; rosbag says what is wrong with that."""
+    if os.path.exists(path) and not os.path.isfile(path):
+        return 'it is not a regular file'
+    try:
+        with open(path, 'rb') as file:
+            beginning = file.read(FIRST_LINE)
+    except OSError:
+        return ''
+    return '' if not beginning or b'\n' in beginning and beginning.startswith(b'#ROS') else 'it does not begin as a bag does'

@@ -6,7 +6,7 @@ import tempfile
 
 import rosbag
 
-from readable_bag import DAMAGE, is_no_file, is_of_the_system
+from readable_bag import DAMAGE, is_of_the_system, why_no_bag
 from run_recording import runs
 
 from .drawing import clock
@@ -61,8 +61,10 @@ class BagFiles:
 
     def _take(self, path):
         name = os.path.basename(path)
-        if is_no_file(path):
-            return self.notes.append('%s: it is not a regular file' % name)
+        why = why_no_bag(path)
+        if why:
+            self.unreadable = True
+            return self.notes.append('%s: it cannot be read: %s' % (name, why))
         try:
             bag = self._open(path, name)
             if bag.get_message_count() == 0:

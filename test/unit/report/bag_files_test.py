@@ -105,6 +105,17 @@ class Reading(FolderCase):
                 with BagFiles([path]):
                     pass
 
+    def test_what_does_not_begin_as_a_bag_does_is_not_read_in_search_of_its_first_line(self):
+        """[REC-2] [FLT-1]"""
+        for name, beginning in (('zeros.bag', b''), ('endless.bag', b'#ROSBAG V2.0')):
+            with open(self.path(name), 'wb') as file:
+                file.write(beginning)
+                file.truncate(2 ** 30)
+            with mock.patch('rosbag.Bag') as read, self.assertRaisesRegex(ReportError, name + ': .* does not begin as a bag does'):
+                with BagFiles([self.path(name)]):
+                    pass
+            read.assert_not_called()
+
     def test_a_part_that_cannot_be_read_does_not_hide_the_others(self):
         """[REC-2]"""
         with BagFiles([self.touch('run_1.bag'), self.bag]) as bags:

@@ -47,6 +47,16 @@ class Damage(unittest.TestCase):
             with self.assertRaisesRegex(BagError, 'all messages of /other are longer'):
                 choose_scan({'/other': topics['/other']}, '')
 
+    def test_a_file_of_zeros_is_not_read_in_search_of_its_first_line(self):
+        """[FLT-1]"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'zeros.bag')
+            with open(path, 'wb') as file:
+                file.truncate(2 ** 30)
+            with mock.patch('rosbag.Bag') as read, self.assertRaisesRegex(BagError, 'zeros.bag: it does not begin as a bag does'):
+                read_bag(path)
+            read.assert_not_called()
+
     def test_a_bag_whose_messages_together_take_more_than_4_gb_is_refused(self):
         """[FLT-1]"""
         with tempfile.TemporaryDirectory() as folder:
