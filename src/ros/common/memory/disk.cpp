@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <deque>
 #include <mutex>
 #include <system_error>
 
@@ -16,16 +17,21 @@ namespace {
 
 std::mutex g_mutex;
 Duration g_patience = std::chrono::milliseconds(50);
-PatientThread* g_thread = nullptr;  // as long as the process lives: it may hang
-pid_t g_owner = 0;                  // of the thread
+pid_t g_owner = 0;  // of the latest thread
+
+/// All that were begun, as long as the process lives: one may hang, and others may use it.
+std::deque<PatientThread>& threads() {
+  static auto& all = *new std::deque<PatientThread>;
+  return all;
+}
 
 }  // namespace
 
 PatientThread& diskThread() {
   const std::lock_guard<std::mutex> lock(g_mutex);
-  if (g_owner != getpid()) g_thread = new PatientThread(g_patience);
+  if (g_owner != getpid()) threads().emplace_back(g_patience);
   g_owner = getpid();
-  return *g_thread;
+  return threads().back();
 }
 
 void setDiskPatience(Duration patience) {
