@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
-"""A disk under ROS_HOME that hangs, as one of a server that is away, holds up neither a reset of the map nor the end of the mapper."""
+"""A disk under ROS_HOME that hangs, as one of a server that is away, holds up no reset, no save to another disk, and no end of the mapper."""
 import os
 import pathlib
 import signal
+import tempfile
 import threading
 import time
 import unittest
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+from frontier_pilot.srv import SaveMap
 from std_srvs.srv import Trigger
 
 from mapper_case import MapperCase, kept_maps
-from wire import SANITIZED, Node, call, find_node, use_a_home_of_its_own, wait_for
+from wire import SANITIZED, Node, Record, call, find_node, use_a_home_of_its_own, wait_for
 
 LIBRARY = os.path.join(os.path.dirname(find_node('frontier_pilot', 'mapper')), '..', 'libhanging_disk.so')
 
@@ -49,6 +52,27 @@ class MapperOnAFrozenDisk(MapperCase):
         self.assertTrue(kept_maps(), 'the map of after the reset is kept [FLT-2]')
         self.mapper.end()
         self.assertEqual(kept_maps(), set(), 'an end in order leaves none')
+
+    # [FLT-1]
+    def test_a_save_to_it_is_named_and_holds_up_no_save_to_another_one(self):
+        hung = os.path.join(os.environ['ROS_HOME'], 'frontier_pilot', 'floor')
+        diagnostics = Record('/diagnostics', DiagnosticArray)
+
+        def is_named():
+            words = 'saving to %s has not ended for' % hung
+            return any(words in status.message for _, array in list(diagnostics.items) for status in array.status)
+        self.hangs.touch()
+        answers = []
+        asking = threading.Thread(target=lambda: answers.append(call('mapper/save_map', SaveMap, hung)), daemon=True)
+        asking.start()
+        self.assertTrue(wait_for(is_named, 20.0), 'nothing says that a save hangs [FLT-1]')
+        with tempfile.TemporaryDirectory() as folder:
+            answer = call('mapper/save_map', SaveMap, os.path.join(folder, 'floor'))
+            self.assertTrue(answer.success, answer.message)
+        asking.join(60.0)
+        self.assertTrue(answers, 'a save waits for the disk for ever [FLT-1]')
+        self.assertFalse(answers[0].success)
+        self.assertIn('saving to %s has not ended' % hung, answers[0].message)
 
     # [FLT-1]
     def test_the_end_does_not_wait(self):

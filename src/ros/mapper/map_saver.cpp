@@ -1,4 +1,5 @@
 #include <boost/make_shared.hpp>
+#include <memory>
 #include <utility>
 
 #include "ros/common/callback_guard.h"
@@ -41,8 +42,14 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 }
 
 map_files::MapIoResult MapSaver::save(const std::string& path) {
-  const auto snapshot = thread_.ask<map_files::MapSnapshot>(map_files::takeSnapshot);
-  if (snapshot) return map_files::saveMap(*snapshot, path);
+  using map_files::MapSnapshot;
+  std::string refusal = saves_.refusal(path);
+  if (!refusal.empty()) return {map_files::MapIoStatus::kCannotWrite, std::move(refusal)};
+  using Shared = std::shared_ptr<const MapSnapshot>;
+  const auto snapshot = thread_.ask<Shared>([](const occupancy::OccupancyMap& map) {
+    return std::make_shared<const MapSnapshot>(map_files::takeSnapshot(map));
+  });
+  if (snapshot) return saves_.run(path, [map = *snapshot, path] { return map_files::saveMap(*map, path); });
   return {map_files::MapIoStatus::kCannotWrite, thread_.whyNot("mapper", "hand over its map")};
 }
 

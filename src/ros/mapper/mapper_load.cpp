@@ -106,7 +106,7 @@ std::string MapperAdapter::keepLoaded() {
 void MapperAdapter::awaitAutosave() {
   const SteadyTime end = steadyNow() + std::chrono::seconds(5);
   while (autosave_.isSaving() && steadyNow() < end) {
-    saver_.provide(mapper_.map());  // the thread that saves it may have a call of save_map to answer first
+    saver_.provide(mapper_.map());  // for a call of save_map meanwhile
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }

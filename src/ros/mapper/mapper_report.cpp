@@ -91,6 +91,8 @@ void MapperAdapter::summarize(Status& status) const {
   if (mapper_.hasAbandonedWork()) {
     status.mergeSummary(DiagnosticStatus::WARN, "loop closing is off until a reset: " + revision_failure_);
   }
+  const std::string delay = saver_.saves().delay(steadyNow());
+  if (!delay.empty()) status.mergeSummary(DiagnosticStatus::WARN, delay);
   if (!publisher_.other().empty()) {
     status.summary(DiagnosticStatus::ERROR, publisher_.other() + " publishes " + publisher_.topic() + " as well");
   }

@@ -41,7 +41,7 @@ std::string SaveSchedule::delay(SteadyTime now) const {
   if (!begun_ || now - *begun_ < kLong) return {};
   std::ostringstream text;
   text << "it has not been kept for " << std::chrono::duration_cast<std::chrono::seconds>(now - *begun_).count()
-       << " s: a disk does not answer, that of the copy or that of mapper/save_map";
+       << " s: the disk of ROS_HOME does not answer";
   return text.str();
 }
 

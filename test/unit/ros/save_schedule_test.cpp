@@ -63,7 +63,7 @@ TEST(SaveSchedule, TriesAgainAfterAFailureAndKeepsTheCopyOfBefore_FLT_2) {
   EXPECT_TRUE(schedule.isDue(2, at(210)));
 }
 
-// A save to a disk that does not answer holds up the copy: nobody would know. [FLT-2]
+// Of a disk that does not answer nobody would know. [FLT-2]
 TEST(SaveSchedule, SaysWhenASaveDoesNotEnd_FLT_2) {
   SaveSchedule schedule = withCopy();
   EXPECT_EQ(schedule.delay(at(5000)), "");

@@ -4,6 +4,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "frontier_pilot/core/time.h"
@@ -11,7 +12,7 @@
 
 namespace frontier_pilot {
 
-/// What one thread asks about a `Subject` that belongs to another one and is only touched there.
+/// What other threads ask, one after the other, about a `Subject` that belongs to one thread and is only touched there.
 template <class Subject>
 class Questions {
  public:
@@ -22,6 +23,7 @@ class Questions {
   /// One that was taken up is waited for to its end, so that what it has changed is never denied.
   template <class Answer>
   std::optional<Answer> ask(const std::function<Answer(Subject&)>& question) {
+    const std::lock_guard<std::mutex> one_at_a_time(asking_);
     auto promise = std::make_shared<std::promise<Answer>>();
     std::future<Answer> answer = promise->get_future();
     asked_.put([promise, question](Subject& subject) { promise->set_value(question(subject)); });
@@ -48,6 +50,7 @@ class Questions {
 
  private:
   const Duration patience_;
+  std::mutex asking_;
   std::atomic<bool> closed_{false};
   Mailbox<std::function<void(Subject&)>> asked_;
 };

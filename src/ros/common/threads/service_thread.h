@@ -4,6 +4,7 @@
 #include <ros/spinner.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@ namespace frontier_pilot {
 template <class Subject>
 class ServiceThread {
  public:
+  /// With several `threads` a call that hangs holds up no other one.
+  explicit ServiceThread(std::uint32_t threads = 1) : spinner_(threads, &queue_) {}
+
   /// Advertises the service and starts the thread; `handle` is called on it.
   template <class Request, class Response>
   void serve(NodeConnections& connections, const char* service,
@@ -51,7 +55,7 @@ class ServiceThread {
  private:
   Questions<Subject> questions_{std::chrono::seconds(10)};  // enough for a busy node
   ros::CallbackQueue queue_;
-  ros::AsyncSpinner spinner_{1, &queue_};  ///< the last member: all others exist while it runs
+  ros::AsyncSpinner spinner_;  ///< the last member: all others exist while it runs
 };
 
 }  // namespace frontier_pilot

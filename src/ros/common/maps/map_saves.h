@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/map_files/map_io.h"
+
+namespace frontier_pilot {
+
+/// The saves of a map that are under way, each on a thread of its own: a disk that hangs holds up no save to another
+/// one, and is waited for only so long. Safe to use from several threads. [FLT-1]
+class MapSaves {
+ public:
+  /// That are under way at once, each of which may hold a copy of the map.
+  static constexpr std::size_t kMost = 3;
+
+  explicit MapSaves(Duration patience = std::chrono::seconds(20)) : patience_(patience) {}
+
+  /// Why no map is saved to `path` now: one to the same folder hangs, or too many are under way. Empty if one is.
+  std::string refusal(const std::string& path) const;
+  /// What `save` gives, which writes the map to `path` and owns all that it uses; or that it has not ended in time,
+  /// and goes on.
+  map_files::MapIoResult run(const std::string& path, const std::function<map_files::MapIoResult()>& save);
+  /// Which save has not ended, and for how long; empty if none takes longer than five seconds at `now`.
+  std::string delay(SteadyTime now) const;
+  /// Why the map that was begun to be saved last is not; empty if it is, or if there was none.
+  std::string whyNotSaved() const;
+
+ private:
+  struct Save {
+    std::string path;
+    SteadyTime begun;
+  };
+  /// Also of the saves that hang when this object is destroyed.
+  struct State {
+    std::mutex mutex;
+    std::uint64_t begun = 0;                  ///< saves
+    std::map<std::uint64_t, Save> under_way;  ///< by number, so that the oldest is the first
+    std::string last;                         ///< why the last one is not saved; empty if it is
+  };
+
+  /// With the state locked.
+  std::string refusal(const std::string& path, SteadyTime now) const;
+
+  const Duration patience_;
+  const std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+}  // namespace frontier_pilot
