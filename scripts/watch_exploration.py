@@ -28,7 +28,7 @@ import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with, say  # noqa: E402
 from run_recording.topics import TOPICS  # noqa: E402
 from run_report.progress import Counts  # noqa: E402
-from saved_maps import Saved, free_prefix, save_map  # noqa: E402
+from saved_maps import Saved, save_map  # noqa: E402
 
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
@@ -203,7 +203,7 @@ def save_at_the_end(watcher, interrupt, prefix, saved_already):
         save_what_is_there(watcher, 'It is not saved yet', prefix)
     elif begin and has_changed(begin, watcher.status):
         say('\nThe robot has driven on since the map was saved: saving it again ...')
-        save_map(prefix and free_prefix(prefix))
+        save_map(prefix, beside=True)
     return 128 + interrupt.number
 
 

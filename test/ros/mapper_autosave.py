@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The map that a mapper leaves behind when it dies: never long behind, taken up again, and gone after an end in order."""
 import os
+import re
 import resource
 import shutil
 import signal
@@ -172,6 +173,22 @@ class MapperAutosave(MapperCase):
             self.assertTrue(wait_for(lambda: os.path.exists(kept + '.bt') and os.path.exists(kept), 10.0))
             mapper.signal(signal.SIGKILL)
             mapper.finish()
+
+    def test_the_copy_of_a_map_that_could_not_be_saved_outlives_the_end(self):  # [FLT-2] [MAP-5]
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        before = self.known()
+        self.assertFalse(call('mapper/save_map', SaveMap, '/proc/nowhere/floor').success)
+        mapper.signal(signal.SIGINT)
+        _, said = mapper.finish(30.0)
+        self.assertFalse(written_maps(), 'no mapper goes on with it by itself')
+        kept = re.search(r'the map was not saved, /proc/nowhere.*; its copy is kept: map_file:=(\S+)\.yaml begins with it', said)
+        self.assertTrue(kept, said)
+        self.forget_the_map()
+        mapper = Node('mapper', '_map_file:=' + kept.group(1) + '.yaml')
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0))
+        self.assertGreater(self.known(), 0.95 * before, '[MAP-5]')
 
 
 if __name__ == '__main__':

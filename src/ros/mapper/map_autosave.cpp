@@ -116,6 +116,14 @@ std::string MapAutosave::putAside() {
   return lost;
 }
 
+std::optional<std::string> MapAutosave::leave(Duration patience) const {
+  return PatientThread(patience).run<std::string>([own = *this]() mutable {
+    std::string lost = own.putAside();
+    const std::optional<fs::path> base = own.find();  // on a disk that is full
+    return lost.empty() && base ? base->string() : lost;
+  });
+}
+
 std::optional<MapPose> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   const std::optional<fs::path> base = find();
   if (!base && memory_.recallAll().empty()) return std::nullopt;

@@ -41,6 +41,9 @@ class MapAutosave {
   /// Moves the copy that is there to the folder `lost` (`kept_map::setAside`), and forgets its pose. Returns its new
   /// base; empty if it could not be moved.
   std::string putAside();
+  /// The same at the end, because the map was not saved elsewhere; a copy that could not be moved stays where it is.
+  /// Returns its base, empty if there is no copy; nothing if the disk does not answer in time.
+  std::optional<std::string> leave(Duration patience) const;
   /// Reads the map of a mapper that died and returns its pose; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<MapPose> restore(occupancy::OccupancyMap& map) const;

@@ -76,6 +76,7 @@ class MapperAdapter {
   void putAside(const std::string& other_map_file);
   void resume(const Pose2& T_odom_base);
   void autosave();
+  bool leaveUnsaved();
   void rememberPose();
   void awaitAutosave();
   void sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base);

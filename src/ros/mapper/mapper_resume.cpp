@@ -1,9 +1,14 @@
 // A mapper that is restarted after it died continues with the map that it had. [FLT-2]
 #include <ros/console.h>
 
+#include <chrono>
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "ros/common/master/registration.h"
 #include "ros/common/node_main.h"
 #include "ros/common/throttled_log.h"
@@ -56,8 +61,27 @@ void MapperAdapter::sayLastWords() {
     ROS_WARN("another process took this node's name: the map is left for the mapper that is started after it");
     return;
   }
-  // The thread that saves may hang as well as this one.
-  if (!autosave_.forget(std::chrono::seconds(5))) limitTheEndAnyway();
+  const bool is_kept = leaveUnsaved();
+  // The threads that save may hang as well as this one.
+  const bool hangs = !saver_.saves().delay(steadyNow()).empty();
+  if ((!is_kept && !autosave_.forget(std::chrono::seconds(5))) || hangs) limitTheEndAnyway();
+}
+
+/// A map that could not be saved where somebody wanted it stays in the copy, put aside so that no mapper goes on with
+/// it by itself. Returns whether there is such a copy.
+bool MapperAdapter::leaveUnsaved() {
+  const std::string why = saver_.saves().whyNotSaved();
+  if (why.empty()) return false;
+  autosave();
+  awaitAutosave();
+  const auto lost = autosave_.isSaving() ? std::nullopt : autosave_.leave(std::chrono::seconds(3));
+  if (!lost) limitTheEndAnyway();
+  if (lost && lost->empty()) return false;
+  ROS_WARN_STREAM("the map was not saved, "
+                  << printable(why, bounds::kMostLine) << "; "
+                  << (lost ? "its copy is kept: map_file:=" + *lost + ".yaml begins with it"
+                           : "nor can its copy be put aside, because the disk of ROS_HOME does not answer"));
+  return true;
 }
 
 void MapperAdapter::rememberPose() {

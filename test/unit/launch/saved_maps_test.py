@@ -5,6 +5,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import threading
 import unittest
 from unittest import mock
 
@@ -64,6 +65,49 @@ class SavedMaps(unittest.TestCase):
                 self.assertIn('Map saved: %s.pgm' % self.asked[2], self.out.getvalue())
                 self.assertIn('the disk is full; another folder is tried, ' + self.spare('')[:-1], self.out.getvalue())
                 self.assertEqual(os.listdir('maps') if os.path.exists('maps') else [], [], 'an empty picture is left')
+
+    def hanging(self, function, is_hung):
+        """This function, but it does not return before the end of the test where `is_hung` is true of its argument."""
+        answers = threading.Event()
+        self.addCleanup(answers.set)
+
+        def call(path, *arguments, **named):
+            if is_hung(path):
+                answers.wait()
+            return function(path, *arguments, **named)
+        return call
+
+    def saved_after_waiting(self):
+        """Where a map is saved, and what is said first."""
+        with mock.patch('saved_maps.DISK', 2.0), mock.patch('saved_maps.MAPPER', 2.0):
+            saved = saved_maps.save_map(os.path.join(self.folder, 'floor'))
+        return saved, self.out.getvalue().splitlines()[0]
+
+    def test_a_map_whose_disk_does_not_answer_is_saved_below_ros_home(self):
+        """[FLT-1] [FLT-2]"""
+        with mock.patch('saved_maps.os.makedirs', self.hanging(os.makedirs, lambda folder: folder == self.folder)):
+            saved, said = self.saved_after_waiting()
+        self.assertEqual(saved, Saved.ELSEWHERE)
+        self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
+        self.assertRegex(said, 'the disk on which it was to be has not answered for 2 s; another folder is tried, ' + self.spare('')[:-1])
+        self.assertEqual(self.out.getvalue().splitlines()[-1], 'The argument map_file:=%s.yaml begins with it' % self.asked[0])
+
+    def test_a_map_whose_disk_hangs_where_only_the_mapper_sees_it_is_saved_below_ros_home(self):
+        """[FLT-1] [FLT-2]"""
+        self.answer = self.hanging(self.answer, lambda path: path.startswith(self.folder + '/floor'))
+        with mock.patch('rospy.ServiceProxy', return_value=self.answer):
+            saved, said = self.saved_after_waiting()
+        self.assertEqual(saved, Saved.ELSEWHERE)
+        self.assertIn('the mapper has not answered for 2 s; another folder is tried', said)
+
+    def test_it_ends_although_no_disk_answers_and_the_mapper_hears_that_the_map_was_to_be_saved(self):
+        """[FLT-1] [FLT-2]"""
+        self.answers = [SaveMapResponse(success=False, message='the disk does not answer')]
+        with mock.patch('saved_maps.os.makedirs', self.hanging(os.makedirs, lambda _: True)):
+            saved, _ = self.saved_after_waiting()
+        self.assertEqual(saved, Saved.NOWHERE)
+        self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
+        self.assertEqual(self.out.getvalue().splitlines()[-1], 'The map could not be saved: the disk does not answer')
 
     def test_a_second_map_does_not_take_the_name_of_the_first_one(self):
         """[FLT-2]"""
