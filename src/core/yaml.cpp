@@ -74,8 +74,8 @@ ParameterMap rootMap(const std::string& text) {
 ParameterMap parseYaml(const std::string& text) {
   try {
     return rootMap(text);
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(printable(error.what(), bounds::kMostReason));  // it quotes single bytes of the file
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(printable(error.what(), bounds::kMostReason));  // it quotes bytes of the file
   }
 }
 
@@ -98,8 +98,8 @@ ParameterMap loadYamlFile(const std::string& path) {
   const FileContent file = readFile(path, bounds::kMostYamlBytes);
   if (!file.ok()) throw std::invalid_argument(path + ": cannot be read: " + file.problem);
   try {
-    return rootMap(file.bytes);
-  } catch (const std::exception& error) {
+    return parseYaml(file.bytes);
+  } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }
 }

@@ -56,7 +56,7 @@ struct MapYaml {
       problems.emplace_back("origin: a rotated map (yaw not 0) is not supported");
     if (free_thresh > occupied_thresh) problems.emplace_back("free_thresh: must not be above occupied_thresh");
     if (mode != "trinary" && mode != "scale" && mode != "raw")
-      problems.emplace_back("mode: must be trinary, scale or raw, not '" + mode + "'");
+      problems.emplace_back("mode: must be trinary, scale or raw, not '" + printable(mode, bounds::kMostReason) + "'");
     if (!start.empty() && start.size() != 3) problems.emplace_back("start: must be [x, y, yaw]");
   }
 };

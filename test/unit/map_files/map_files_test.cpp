@@ -7,6 +7,7 @@
 #include <iterator>
 #include <random>
 
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/map_files/map_io.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "support/temporary_folder.h"
@@ -53,6 +54,12 @@ class MapFiles : public ::testing::Test {
     EXPECT_TRUE(result.ok() || loaded.grid().cells() == before) << "a map that was not loaded stays as it was";
     return result;
   }
+  /// What is said of a map that another program saved, with these bytes in its YAML.
+  std::string refusalOf(const std::string& yaml) const {
+    write("other.yaml", yaml);
+    occupancy::OccupancyMap loaded;
+    return map_files::loadMap(path("other"), loaded).text;
+  }
   /// The .bt's header with another tree behind it.
   std::string withTree(const std::string& size, const std::string& tree) const {
     return "# Octomap OcTree binary file\nid OcTree\nsize " + size + "\nres 0.05\ndata\n" + tree;
@@ -62,6 +69,17 @@ class MapFiles : public ::testing::Test {
   const fs::path directory = temporary.path();
   occupancy::OccupancyMap map;
 };
+
+// [FLT-1] An answer in Python cannot be read otherwise.
+TEST_F(MapFiles, AreRefusedInWordsThatCanBePrintedWhateverBytesTheYamlHolds_FLT_1) {
+  for (const std::string yaml :
+       {"a: \"\\\xcf\"", "\xff\x02: 1\n\xff\x02: 2\n", "mode: \"\xfe\\x1b\"\n", "\x80\x81[", "image: \xc3\x28\n"}) {
+    const std::string text = refusalOf(yaml);
+    EXPECT_FALSE(text.empty());
+    EXPECT_EQ(printable(text, 10000), text);
+  }
+  EXPECT_NE(refusalOf("mode: \xfe\n").find("\\xfe"), std::string::npos);
+}
 
 // [FLT-1] [MAP-5] OctoMap's reader follows such a file until the stack is gone.
 TEST_F(MapFiles, RefusesATreeThatIsDeeperThanSixteenLevels_FLT_1_MAP_5) {
