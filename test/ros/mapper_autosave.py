@@ -11,6 +11,7 @@ import time
 import rospy
 import rostest
 from frontier_pilot.srv import LoadMap, SaveMap
+from nav_msgs.srv import GetMap
 from std_srvs.srv import Trigger
 
 from mapper_case import SMALL, MapperCase, kept_maps, newest_map, poses_of_the_session, written_maps
@@ -140,14 +141,17 @@ class MapperAutosave(MapperCase):
             mapper = Node('mapper')
             self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), '%s s [FLT-2]' % delay)
 
-    def test_a_map_file_does_not_replace_the_kept_map_before_the_first_odometry(self):  # [FLT-2]
-        self.leave_a_map('_map_file:=' + SMALL)
+    def test_a_map_file_does_not_stand_in_for_the_kept_map_before_the_first_odometry(self):  # [FLT-2]
+        room = self.leave_a_map('_map_file:=' + SMALL)
         kept = newest_map() + '.bt'
         before = os.stat(kept).st_mtime_ns
         mapper = Node('mapper', '_map_file:=' + SMALL)
         self.addCleanup(mapper.end)
+        answered = call('dynamic_map', GetMap).map
         time.sleep(4.0)  # two periods of the autosave, without odometry
         self.assertEqual(os.stat(kept).st_mtime_ns, before, '[FLT-2]')
+        self.assertGreater(sum(cell >= 0 for cell in answered.data), 0.95 * room, 'what it continues with [FLT-2]')
+        self.assertIsNone(self.map.last, 'the map of the file [FLT-2]')
 
     def test_a_map_whose_pose_was_damaged_is_put_aside_and_can_be_loaded(self):  # [FLT-2]
         mapper = Node('mapper')

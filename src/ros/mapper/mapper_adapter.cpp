@@ -53,7 +53,7 @@ void MapperAdapter::connect() {
     publishIfLost();  // before a map on which the robot is looked for
     insertPaired();
     startRevision();
-    publisher_.publish(mapper_, *now);
+    if (!restored_) publisher_.publish(mapper_, *now);
   });
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
   connections_.clock().onJump([this] {

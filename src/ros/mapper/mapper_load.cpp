@@ -38,9 +38,9 @@ void sayLoaded(const map_files::MapIoResult& result) {
 
 }  // namespace
 
-/// Loads `map_file` and then the copy of the map that this mapper had when it died, which replaces it. With a copy, a
-/// file that cannot be read any more is no reason not to start. A copy of a mapper that began with another file is put
-/// aside. [FLT-2]
+/// Loads `map_file` and then the copy of the map that this mapper had when it died, which replaces it before anybody
+/// has seen it. With a copy, a file that cannot be read any more is no reason not to start. A copy of a mapper that
+/// began with another file is put aside. [FLT-2]
 void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
   std::string problem;
   if (!parameters_.map_file.empty()) {

@@ -14,8 +14,9 @@ void MapperAdapter::advertiseServices() {
 
 bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
   // The response has no field for an error, so the call fails while there is no map.
-  if (mapper_.map().empty()) return false;
-  response.map = toOccupancyGridMsg(mapper_.map().projection(), parameters_.map_frame, rosNow());
+  const occupancy::OccupancyMap& map = restored_ ? restored_->map : mapper_.map();
+  if (map.empty()) return false;
+  response.map = toOccupancyGridMsg(map.projection(), parameters_.map_frame, rosNow());
   return true;
 }
 
