@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A disk under ROS_HOME that hangs, as one of a server that is away, holds up no reset, no save to another disk, and no end of the mapper."""
+"""A disk under ROS_HOME that hangs, as one of a server that is away, holds up no reset, no save to another disk, and no end of the mapper,
+and leaves no map that was replaced meanwhile."""
 import os
 import pathlib
 import signal
@@ -11,10 +12,10 @@ import unittest
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from frontier_pilot.srv import SaveMap
+from frontier_pilot.srv import LoadMap, SaveMap
 from std_srvs.srv import Trigger
 
-from mapper_case import MapperCase, kept_maps
+from mapper_case import SMALL, MapperCase, kept_maps
 from wire import SANITIZED, Node, Record, call, find_node, use_a_home_of_its_own, wait_for
 
 LIBRARY = os.path.join(os.path.dirname(find_node('frontier_pilot', 'mapper')), '..', 'libhanging_disk.so')
@@ -53,6 +54,22 @@ class MapperOnAFrozenDisk(MapperCase):
         self.mapper.end()
         self.assertEqual(kept_maps(), set(), 'an end in order leaves none')
 
+    # [FLT-2] [MAP-5]
+    def test_a_map_that_was_replaced_meanwhile_does_not_come_back(self):
+        self.hangs.touch()
+        answer = call('mapper/load_map', LoadMap, SMALL)
+        self.assertTrue(answer.success)
+        self.assertIn('; would not survive this node: it is still being saved', answer.message, '[FLT-2]')
+        self.mapper.signal(signal.SIGKILL)
+        self.mapper.finish()
+        self.hangs.unlink()
+        self.forget_the_map()
+        mapper = Node('mapper')
+        self.addCleanup(mapper.end)
+        rospy.wait_for_service('mapper/reset', 15.0)
+        self.assertFalse(wait_for(lambda: self.say_where() and self.known() > 0, 3.0), 'the map of before [MAP-5]')
+        self.assertIn('/lost/kept_map.mapper', mapper.said(), 'nothing is lost [FLT-2]')
+
     # [FLT-1]
     def test_a_save_to_it_is_named_and_holds_up_no_save_to_another_one(self):
         hung = os.path.join(os.environ['ROS_HOME'], 'frontier_pilot', 'floor')
@@ -83,5 +100,7 @@ class MapperOnAFrozenDisk(MapperCase):
 
 if __name__ == '__main__':
     use_a_home_of_its_own()
+    os.environ['XDG_RUNTIME_DIR'] = os.path.join(os.environ['ROS_HOME'], 'spare')  # does not hang
+    os.mkdir(os.environ['XDG_RUNTIME_DIR'])
     rospy.init_node('mapper_frozen_disk')
     rostest.rosrun('frontier_pilot', 'mapper_frozen_disk', MapperOnAFrozenDisk)

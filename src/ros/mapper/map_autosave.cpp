@@ -22,12 +22,18 @@ namespace fs = std::filesystem;
 
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
 
+/// Records that the copy which is on the disk is of a map that was replaced. Returns what to add to an answer if it
+/// cannot be.
+std::string disown(const SessionMemory& replaced) {
+  return replaced.remember("replaced").empty() ? "" : "; the previous map would come back";
+}
+
 /// Moves the copy of the previous map to the folder `lost`, so that no mapper continues with it after the loaded map
 /// could not be saved. Returns what to add to the problem.
-std::string setPreviousAside(const SessionMemory& memory) {
+std::string setPreviousAside(const SessionMemory& memory, const SessionMemory& replaced) {
   const auto stays = [](const fs::path& base) { return kept_map::exists(base) && kept_map::setAside(base).empty(); };
   const std::vector<fs::path>& bases = memory.files();
-  if (std::any_of(bases.begin(), bases.end(), stays)) return "; the previous map would come back";
+  if (std::any_of(bases.begin(), bases.end(), stays)) return disown(replaced);
   memory.forget();
   return {};
 }
@@ -45,7 +51,7 @@ std::string rememberInTime(const SessionMemory& memory, const std::string& pose)
 /// Returns why it could not be saved; empty if it was. If the copy that is there is of the previous map, `lost` is the
 /// pose, marked as one at which the robot has to be looked for; else it is empty.
 std::string save(const map_files::MapSnapshot& map, const std::string& pose, const std::string& lost,
-                 const SessionMemory& memory, const std::atomic<bool>& wanted) {
+                 const SessionMemory& memory, const SessionMemory& replaced, const std::atomic<bool>& wanted) {
   if (memory.files().empty()) return "the ROS session has no name";
   const fs::path base = memory.files().front();
   std::error_code error;
@@ -53,10 +59,10 @@ std::string save(const map_files::MapSnapshot& map, const std::string& pose, con
   if (!lost.empty() && kept_map::exists(base)) {
     // With whichever of the two maps a mapper begins, its pose is not that of the other one.
     const std::string problem = rememberInTime(memory, lost);
-    if (!problem.empty()) return problem + setPreviousAside(memory);
+    if (!problem.empty()) return problem + setPreviousAside(memory, replaced);
   }
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
-  if (!result.ok()) return result.text + (lost.empty() ? "" : setPreviousAside(memory));
+  if (!result.ok()) return result.text + (lost.empty() ? "" : setPreviousAside(memory, replaced));
   kept_map::removeOldest(base);
   if (!wanted) return {};  // a pose would have the next mapper continue with it
   return memory.remember(pose);
@@ -81,10 +87,15 @@ std::string discard(const SessionMemory& memory) {
 
 }  // namespace
 
-MapAutosave::MapAutosave(const std::string& map_file)
+MapAutosave::MapAutosave(const std::string& map_file) : MapAutosave(map_file, rosSessions()) {}
+
+MapAutosave::MapAutosave(const std::string& map_file, const std::vector<std::string>& sessions)
     : map_file_(mapFileName(map_file)),
-      memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName(), SessionMemory::Owner::kNode),
+      memory_(rosHome(), sessions, "kept_map", ros::this_node::getName(), SessionMemory::Owner::kNode),
+      replaced_({}, sessions, "replaced_map", ros::this_node::getName(), SessionMemory::Owner::kLastingNode,
+                spareFolder()),
       wanted_(std::make_shared<std::atomic<bool>>(true)),
+      current_(std::make_shared<std::atomic<bool>>(true)),
       done_(std::make_shared<Mailbox<Saved>>()) {}
 
 std::optional<std::filesystem::path> MapAutosave::find() const {
@@ -112,7 +123,9 @@ std::optional<std::string> MapAutosave::otherMapFile() const {
 std::string MapAutosave::putAside() {
   const std::optional<fs::path> base = find();
   std::string lost = base ? kept_map::setAside(*base) : std::string();
-  if (!lost.empty()) memory_.forget();
+  if (lost.empty()) return lost;
+  memory_.forget();
+  replaced_.forget();
   return lost;
 }
 
@@ -127,6 +140,8 @@ std::optional<std::string> MapAutosave::leave(Duration patience) const {
 std::optional<MapPose> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   const std::optional<fs::path> base = find();
   if (!base && memory_.recallAll().empty()) return std::nullopt;
+  if (base && replaced_.recall())
+    throw std::runtime_error("it could not be saved, and the copy is of the map before it");
   const std::optional<KeptPose> pose = recall();
   if (!pose) throw std::runtime_error("the pose that was saved with it cannot be read");
   if (!base) throw std::runtime_error("its files are gone" + keptBefore());
@@ -156,17 +171,21 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   ended_ = std::make_shared<std::atomic<bool>>(false);
-  run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, wanted = wanted_, done = done_,
-       ended = ended_, rendered = has.rendered, lost = superseded_ ? textOf({pose.T_map_odom, false}) : std::string()] {
+  run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, replaced = replaced_,
+       wanted = wanted_, current = current_, done = done_, ended = ended_, rendered = has.rendered,
+       lost = superseded_ ? textOf({pose.T_map_odom, false}) : std::string()] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
-      std::string why = *wanted ? frontier_pilot::save(snapshot, text, lost, memory, *wanted) : std::string();
+      std::string why;
+      if (*wanted) why = frontier_pilot::save(snapshot, text, lost, memory, replaced, *wanted);
       if (*wanted) return why;
       discard(memory);  // its files may have been removed while they were read back, which is no problem
       return std::string();
     });
     const SteadyTime at = steadyNow();
+    const bool is_kept = problem.empty() && *current;
     done->put({std::move(problem), at, at - begun, rendered});
+    if (is_kept) replaced.forget();
     *ended = true;
   });
   schedule_.begin(content, now);
@@ -183,8 +202,13 @@ void MapAutosave::noteEnd() {
 }
 
 std::string MapAutosave::whyNotSaved() {
-  noteEnd();
-  return isSaving() ? "it is still being saved" : problem_;
+  const auto is_saved = [this] { return noteEnd(), schedule_.hasCopy(); };
+  if (is_saved()) return {};
+  if (!isSaving() && !problem_.empty()) return problem_;
+  const std::string comes_back = disown(replaced_);
+  if (!is_saved()) return "it is still being saved" + comes_back;
+  replaced_.forget();  // the save may have ended before that was recorded
+  return {};
 }
 
 void MapAutosave::remember(const MapPose& pose, std::uint64_t rendered) {
@@ -209,6 +233,7 @@ void MapAutosave::noteMapping(std::uint64_t content, SteadyTime now) {
 void MapAutosave::lose(const std::string& why) {
   const std::optional<fs::path> base = find();
   const std::string lost = base ? kept_map::setAside(*base) : std::string();
+  if (!lost.empty()) replaced_.forget();
   loss_ = lost.empty() ? why
                        : why + "; its files are kept: mapper/load_map may still read " + lost +
                              ", or its picture if the .bt is moved away";
@@ -224,6 +249,8 @@ void MapAutosave::supersede() {
   loss_.clear();
   schedule_.discard();
   superseded_ = true;
+  *current_ = false;
+  current_ = std::make_shared<std::atomic<bool>>(true);
 }
 
 bool MapAutosave::forget(Duration patience) {
@@ -243,6 +270,7 @@ bool MapAutosave::discardUnwanted() {
 }
 
 void MapAutosave::enter(const std::vector<std::string>& sessions) {
+  replaced_.enter(sessions);
   if (memory_.enter(sessions)) schedule_.discard();
 }
 

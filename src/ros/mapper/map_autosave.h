@@ -29,7 +29,8 @@ struct MapContent {
 
 /// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
 /// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
-/// At most three maps of earlier sessions are kept. [FLT-2]
+/// At most three maps of earlier sessions are kept. If another map is loaded while the disk does not answer, that is
+/// recorded in memory, and a mapper that is started then does not continue with the map before it. [FLT-2]
 class MapAutosave {
  public:
   /// `map_file` is the parameter: the map that this mapper begins with.
@@ -55,7 +56,8 @@ class MapAutosave {
   void save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, const Run& run);
   /// Whether the save that was begun last has not ended yet.
   bool isSaving() const { return ended_ && !*ended_; }
-  /// Why the map that was to be saved last would not survive; empty if it would.
+  /// Why the map that was to be saved last would not survive; empty if it would. If it would not, a mapper that is
+  /// started after this call does not continue with the map before it either.
   std::string whyNotSaved();
   /// Keeps `pose` beside the copy that there is, without saving the map. If the map was rendered again since, the
   /// pose of the copy stays as it is, as that of a mapper that lives.
@@ -81,6 +83,8 @@ class MapAutosave {
   void enter(const std::vector<std::string>& sessions);
 
  private:
+  MapAutosave(const std::string& map_file, const std::vector<std::string>& sessions);
+
   struct Saved {
     std::string problem;
     SteadyTime at;
@@ -101,9 +105,11 @@ class MapAutosave {
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   const std::string map_file_;
-  SessionMemory memory_;                       ///< holds a KeptPose; the map's files lie beside it
-  std::optional<SessionMemory> unwanted_;      ///< the place of a copy that is to be removed
-  std::shared_ptr<std::atomic<bool>> wanted_;  ///< false once the copy being saved is obsolete
+  SessionMemory memory_;                        ///< holds a KeptPose; the map's files lie beside it
+  SessionMemory replaced_;                      ///< holds, not on a disk, that the copy is of a map that was replaced
+  std::optional<SessionMemory> unwanted_;       ///< the place of a copy that is to be removed
+  std::shared_ptr<std::atomic<bool>> wanted_;   ///< false once the copy being saved is obsolete
+  std::shared_ptr<std::atomic<bool>> current_;  ///< false once the map being saved was replaced
   std::shared_ptr<Mailbox<Saved>> done_;
   std::shared_ptr<std::atomic<bool>> ended_;  ///< whether the save that was begun last has
   SaveSchedule schedule_;

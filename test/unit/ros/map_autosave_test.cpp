@@ -6,9 +6,12 @@
 #include <stdlib.h>
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "ros/common/memory/disk.h"
@@ -23,11 +26,15 @@ class MapAutosaveInASession : public ::testing::Test {
  protected:
   MapAutosaveInASession() {
     setenv("ROS_HOME", home_.path().c_str(), 1);
+    setenv("XDG_RUNTIME_DIR", in_memory_.path().c_str(), 1);
     setDiskPatience(std::chrono::seconds(20));
     autosave_.emplace("");
     autosave_->enter({"session"});
   }
-  ~MapAutosaveInASession() override { unsetenv("ROS_HOME"); }
+  ~MapAutosaveInASession() override {
+    unsetenv("ROS_HOME");
+    unsetenv("XDG_RUNTIME_DIR");
+  }
 
   /// A map with one known cell.
   static occupancy::OccupancyMap mapAt(double x) {
@@ -50,6 +57,15 @@ class MapAutosaveInASession : public ::testing::Test {
     autosave_->save(map, pose, {++scans_, 0}, [](const std::function<void()>& job) { job(); });
     return autosave_->whyNotSaved();
   }
+  /// Another map is loaded in place of the one that is kept, while the disk hangs: what is to be written there stays
+  /// in `hanging_`. Returns why the loaded map would not survive.
+  std::string loadWhileTheDiskHangs(double x) {
+    autosave_->supersede();
+    occupancy::OccupancyMap map = mapAt(x);
+    autosave_->save(map, {Pose2(), false}, {++scans_, 0},
+                    [this](std::function<void()> job) { hanging_.push_back(std::move(job)); });
+    return autosave_->whyNotSaved();
+  }
   /// What a mapper continues with that is started now.
   std::optional<MapPose> restored() {
     MapAutosave next("");
@@ -58,8 +74,9 @@ class MapAutosaveInASession : public ::testing::Test {
     return next.restore(map);
   }
 
-  const test::TemporaryFolder home_;
+  const test::TemporaryFolder home_, in_memory_;
   std::optional<MapAutosave> autosave_;
+  std::vector<std::function<void()>> hanging_;
   std::uint64_t scans_ = 0;
 };
 
@@ -92,6 +109,60 @@ TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsThereAlsoIfTheDiskIsBusyForAM
   const auto pose = restored();
   ASSERT_TRUE(pose);
   EXPECT_FALSE(pose->localized);
+}
+
+// [FLT-2]
+TEST_F(MapAutosaveInASession, IsContinuedWithUntilItIsSaidThatAnotherMapWasLoaded_FLT_2) {
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  autosave_->supersede();
+  EXPECT_TRUE(restored()) << "one of the two maps";
+}
+
+// [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, OfAMapThatWasReplacedWhileTheDiskHangsIsNotContinuedWith_FLT_2_MAP_5) {
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  EXPECT_EQ(loadWhileTheDiskHangs(5.0), "it is still being saved");
+  EXPECT_THROW(restored(), std::runtime_error) << "the disk has only the map of before";
+  hanging_.front()();
+  EXPECT_TRUE(restored()) << "the map that was loaded";
+  EXPECT_EQ(autosave_->whyNotSaved(), "");
+  EXPECT_TRUE(restored());
+}
+
+// [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, OfAMapThatWasReplacedIsPutAsideByTheNextMapper_FLT_2_MAP_5) {
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  loadWhileTheDiskHangs(5.0);
+  MapAutosave next("");
+  next.enter({"session"});
+  occupancy::OccupancyMap map;
+  try {
+    next.restore(map);
+    FAIL() << "it is of the map of before";
+  } catch (const std::runtime_error& error) {
+    next.lose(error.what());
+  }
+  EXPECT_NE(next.loss().find("/lost/"), std::string::npos) << next.loss();
+}
+
+// [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, OfTheFirstOfTwoMapsThatWereLoadedWhileTheDiskHangsIsNotContinuedWith_FLT_2_MAP_5) {
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  loadWhileTheDiskHangs(5.0);
+  EXPECT_EQ(loadWhileTheDiskHangs(9.0), "it is still being saved");
+  ASSERT_EQ(hanging_.size(), 1U) << "one save at a time";
+  hanging_.front()();
+  EXPECT_EQ(autosave_->whyNotSaved(), "it is still being saved") << "that was the first one";
+  EXPECT_THROW(restored(), std::runtime_error);
+}
+
+// [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, OfAMapThatWasReplacedWouldComeBackWithoutAPlaceInMemoryWhichIsSaid_FLT_2_MAP_5) {
+  setenv("XDG_RUNTIME_DIR", "/dev/null/none", 1);
+  autosave_.emplace("");
+  autosave_->enter({"session"});
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  EXPECT_EQ(loadWhileTheDiskHangs(5.0), "it is still being saved; the previous map would come back");
 }
 
 }  // namespace
