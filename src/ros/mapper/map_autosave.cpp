@@ -22,10 +22,13 @@ namespace fs = std::filesystem;
 
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
 
-/// Records that the copy which is on the disk is of a map that was replaced. Returns what to add to an answer if it
-/// cannot be.
+/// Records that the copy which is on the disk is of a map that was replaced. Returns what follows if that cannot be.
 std::string disown(const SessionMemory& replaced) {
-  return replaced.remember("replaced").empty() ? "" : "; the previous map would come back";
+  return replaced.remember("replaced").empty() ? "" : "the previous map would come back";
+}
+
+std::string joined(const std::string& problem, const std::string& more) {
+  return more.empty() ? problem : problem + "; " + more;
 }
 
 /// Moves the copy of the previous map to the folder `lost`, so that no mapper continues with it after the loaded map
@@ -59,10 +62,10 @@ std::string save(const map_files::MapSnapshot& map, const std::string& pose, con
   if (!lost.empty() && kept_map::exists(base)) {
     // With whichever of the two maps a mapper begins, its pose is not that of the other one.
     const std::string problem = rememberInTime(memory, lost);
-    if (!problem.empty()) return problem + setPreviousAside(memory, replaced);
+    if (!problem.empty()) return joined(problem, setPreviousAside(memory, replaced));
   }
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
-  if (!result.ok()) return result.text + (lost.empty() ? "" : setPreviousAside(memory, replaced));
+  if (!result.ok()) return lost.empty() ? result.text : joined(result.text, setPreviousAside(memory, replaced));
   kept_map::removeOldest(base);
   if (!wanted) return {};  // a pose would have the next mapper continue with it
   return memory.remember(pose);
@@ -206,7 +209,7 @@ std::string MapAutosave::whyNotSaved() {
   if (is_saved()) return {};
   if (!isSaving() && !problem_.empty()) return problem_;
   const std::string comes_back = disown(replaced_);
-  if (!is_saved()) return "it is still being saved" + comes_back;
+  if (!is_saved()) return joined("it is still being saved", comes_back);
   replaced_.forget();  // the save may have ended before that was recorded
   return {};
 }
@@ -253,20 +256,25 @@ void MapAutosave::supersede() {
   current_ = std::make_shared<std::atomic<bool>>(true);
 }
 
-bool MapAutosave::forget(Duration patience) {
+std::string MapAutosave::forget(Duration patience) {
   supersede();
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
   unwanted_ = memory_;
+  std::string comes_back = disown(replaced_);
   const SteadyTime end = steadyNow() + patience;
-  while (!discardUnwanted() && steadyNow() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  return !unwanted_;
+  std::optional<std::string> problem;
+  while (!(problem = discardUnwanted()) && steadyNow() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return problem && problem->empty() ? std::string() : comes_back;
 }
 
-bool MapAutosave::discardUnwanted() {
+std::optional<std::string> MapAutosave::discardUnwanted() {
+  if (!unwanted_) return std::string();
   // The jobs on the disk follow each other: when this one has ended, those before it that were late have as well.
-  if (unwanted_ && diskThread().run<std::string>([memory = *unwanted_] { return discard(memory); })) unwanted_.reset();
-  return !unwanted_;
+  auto problem = diskThread().run<std::string>([memory = *unwanted_] { return discard(memory); });
+  if (problem) unwanted_.reset();
+  if (problem && problem->empty()) replaced_.forget();
+  return problem;
 }
 
 void MapAutosave::enter(const std::vector<std::string>& sessions) {

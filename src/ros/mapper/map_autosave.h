@@ -29,8 +29,9 @@ struct MapContent {
 
 /// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
 /// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
-/// At most three maps of earlier sessions are kept. If another map is loaded while the disk does not answer, that is
-/// recorded in memory, and a mapper that is started then does not continue with the map before it. [FLT-2]
+/// At most three maps of earlier sessions are kept. If the map is replaced, by one that is loaded or by a reset, while
+/// the disk does not answer or cannot be written, that is recorded in memory, and a mapper that is started then does
+/// not continue with the map before it. [FLT-2]
 class MapAutosave {
  public:
   /// `map_file` is the parameter: the map that this mapper begins with.
@@ -64,8 +65,10 @@ class MapAutosave {
   void remember(const MapPose& pose, std::uint64_t rendered);
   /// Removes the copy, because the map was reset or the mapper is shut down regularly. The next map is saved whatever
   /// its `content`, and as soon as it can be. Waits at most `patience` for a disk that hangs; later on the copy is
-  /// removed before anything is saved. Returns whether it is gone.
-  bool forget(Duration patience = std::chrono::milliseconds(500));
+  /// removed before anything is saved. Returns why it would come back with the next mapper; empty if it would not.
+  std::string forget(Duration patience = std::chrono::milliseconds(500));
+  /// Whether the copy is still to be removed, because the disk has not answered yet.
+  bool isForgetting() const { return unwanted_.has_value(); }
   /// The same, because another map was loaded; but the copy stays until that map replaces it, so that a mapper which
   /// dies meanwhile leaves one of the two. If that map cannot be saved, the copy is moved to the folder `lost`.
   void supersede();
@@ -100,8 +103,8 @@ class MapAutosave {
   /// Takes over how the save has ended that was begun last.
   void noteEnd();
   std::string textOf(const MapPose& pose) const { return toText({pose, map_file_}); }
-  /// Removes the copy that was given up, if the disk answers. Returns whether none is left.
-  bool discardUnwanted();
+  /// Removes the copy that was given up. Returns why it could not be; nothing if the disk does not answer.
+  std::optional<std::string> discardUnwanted();
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   const std::string map_file_;

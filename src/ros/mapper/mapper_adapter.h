@@ -71,6 +71,8 @@ class MapperAdapter {
   void loadFirstMap(const ros::NodeHandle& private_node);
   map_files::MapIoResult load(const std::string& path);
   std::string keepLoaded();
+  /// The text to append to the answer of a call whose effect would not survive this node, which is logged.
+  static std::string afterDeath(const std::string& what, const std::string& problem);
   /// Reads the map of a mapper that died in this session, if there is one.
   void restore();
   void putAside(const std::string& other_map_file);

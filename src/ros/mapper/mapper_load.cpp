@@ -76,11 +76,7 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   if (result.ok()) {
     publisher_.announceReplacement(result.text);
     sayLoaded(result);
-    const std::string problem = keepLoaded();
-    if (!problem.empty()) {
-      response.message += "; would not survive this node: " + problem;
-      THROTTLED_WARN("the map that was loaded would not survive this node: " << problem);
-    }
+    response.message += afterDeath("the map that was loaded", keepLoaded());
   } else {
     THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
   }
@@ -92,15 +88,21 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
 std::string MapperAdapter::keepLoaded() {
   restored_.reset();  // a map that was kept is not wanted any more
   if (parameters_.autosave_period == 0.0 || mapper_.map().isBlank()) {
-    autosave_.forget();  // nothing will replace the copy
+    std::string problem = autosave_.forget();  // nothing will replace the copy
     awaitAutosave();
-    return {};
+    return problem;
   }
   autosave_.supersede();
   awaitAutosave();  // that of the map of before, which may be under way
   autosave();
   awaitAutosave();
   return autosave_.whyNotSaved();
+}
+
+std::string MapperAdapter::afterDeath(const std::string& what, const std::string& problem) {
+  if (problem.empty()) return {};
+  THROTTLED_WARN(what << " would not survive this node: " << problem);
+  return "; would not survive this node: " + problem;
 }
 
 void MapperAdapter::awaitAutosave() {

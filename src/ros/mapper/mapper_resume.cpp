@@ -61,10 +61,9 @@ void MapperAdapter::sayLastWords() {
     ROS_WARN("another process took this node's name: the map is left for the mapper that is started after it");
     return;
   }
-  const bool is_kept = leaveUnsaved();
+  if (!leaveUnsaved()) autosave_.forget(std::chrono::seconds(5));
   // The threads that save may hang as well as this one.
-  const bool hangs = !saver_.saves().delay(steadyNow()).empty();
-  if ((!is_kept && !autosave_.forget(std::chrono::seconds(5))) || hangs) limitTheEndAnyway();
+  if (autosave_.isForgetting() || !saver_.saves().delay(steadyNow()).empty()) limitTheEndAnyway();
 }
 
 /// A map that could not be saved where somebody wanted it stays in the copy, put aside so that no mapper goes on with

@@ -27,7 +27,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
     return true;
   }
   mapper_.reset();
-  autosave_.forget();
+  const std::string problem = autosave_.forget();
   restored_.reset();
   anchor_.reset();
   pairing_.clear();
@@ -35,6 +35,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   response.success = 1U;
   response.message = "the map is cleared";
   publisher_.announceReplacement(response.message);
+  response.message += afterDeath("the reset", problem);
   return true;
 }
 

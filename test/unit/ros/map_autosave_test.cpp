@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <future>
 #include <stdexcept>
@@ -66,6 +68,15 @@ class MapAutosaveInASession : public ::testing::Test {
                     [this](std::function<void()> job) { hanging_.push_back(std::move(job)); });
     return autosave_->whyNotSaved();
   }
+  /// Nothing can be removed from the disk any more, nor written there.
+  void lockTheDisk() const {
+    std::filesystem::rename(session_, away_);
+    std::ofstream(session_.string()) << "a file";
+  }
+  void unlockTheDisk() const {
+    std::filesystem::remove(session_);
+    std::filesystem::rename(away_, session_);
+  }
   /// What a mapper continues with that is started now.
   std::optional<MapPose> restored() {
     MapAutosave next("");
@@ -75,6 +86,7 @@ class MapAutosaveInASession : public ::testing::Test {
   }
 
   const test::TemporaryFolder home_, in_memory_;
+  const std::filesystem::path session_ = home_.path() / "frontier_pilot" / "session", away_ = home_.path() / "away";
   std::optional<MapAutosave> autosave_;
   std::vector<std::function<void()>> hanging_;
   std::uint64_t scans_ = 0;
@@ -154,6 +166,28 @@ TEST_F(MapAutosaveInASession, OfTheFirstOfTwoMapsThatWereLoadedWhileTheDiskHangs
   hanging_.front()();
   EXPECT_EQ(autosave_->whyNotSaved(), "it is still being saved") << "that was the first one";
   EXPECT_THROW(restored(), std::runtime_error);
+}
+
+// [FLT-2]
+TEST_F(MapAutosaveInASession, OfAMapThatWasResetIsNotContinuedWithAlthoughItCannotBeRemoved_FLT_2) {
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  lockTheDisk();
+  EXPECT_EQ(autosave_->forget(), "");
+  EXPECT_FALSE(autosave_->isForgetting());
+  unlockTheDisk();
+  EXPECT_THROW(restored(), std::runtime_error);
+  EXPECT_EQ(save(mapAt(5.0), {Pose2(), true}), "");
+  EXPECT_TRUE(restored()) << "the map since";
+}
+
+// [FLT-2]
+TEST_F(MapAutosaveInASession, OfAMapThatWasResetAndCannotBeRemovedWouldComeBackWithoutAPlaceInMemoryWhichIsSaid_FLT_2) {
+  setenv("XDG_RUNTIME_DIR", "/dev/null/none", 1);
+  autosave_.emplace("");
+  autosave_->enter({"session"});
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  lockTheDisk();
+  EXPECT_EQ(autosave_->forget(), "the previous map would come back");
 }
 
 // [FLT-2] [MAP-5]
