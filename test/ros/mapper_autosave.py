@@ -115,6 +115,7 @@ class MapperAutosave(MapperCase):
         answer = call('mapper/load_map', LoadMap, SMALL)
         self.assertTrue(answer.success)
         self.assertIn('; would not survive this node: ', answer.message, '[FLT-2]')
+        self.assertIn('/lost/kept_map.mapper', answer.message, '[FLT-2]')
         mapper.signal(signal.SIGKILL)
         mapper.finish()
         self.assertFalse(os.path.exists(kept + '.bt'), '[FLT-2]')

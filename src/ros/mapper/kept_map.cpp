@@ -113,6 +113,15 @@ std::string setAside(const fs::path& base) {
   return {};
 }
 
+std::string whereItIs(const std::string& lost) {
+  const fs::path folder = fs::path(lost).parent_path();
+  const std::string words = "mapper/load_map may still read " + lost;
+  if (folder.filename() != "lost." + std::to_string(kMostLost)) return words;
+  return words + ", the last of " + std::to_string(kMostLost) +
+         " folders, where each map that is put aside replaces the one before it: remove from " +
+         folder.parent_path().string() + " what is not needed";
+}
+
 std::string lastSetAside(const fs::path& base) {
   for (int k = kMostLost; k >= 1; --k) {
     if (kept_map::exists(lostMap(base, k))) return lostMap(base, k).string();

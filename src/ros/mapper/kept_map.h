@@ -22,6 +22,9 @@ void removeOldest(const std::filesystem::path& own);
 /// because those that were lost first are more likely to be worth something. Returns its new base; empty if it could
 /// not be moved.
 std::string setAside(const std::filesystem::path& base);
+/// What an operator should know of a map that was moved to `lost`: how it is loaded, and, in the last folder, that each
+/// one replaces the one before it.
+std::string whereItIs(const std::string& lost);
 /// Gives files in which poses are remembered the time of now, as if they were written again. Returns what went wrong;
 /// empty if nothing did.
 std::string renew(const std::vector<std::filesystem::path>& poses);

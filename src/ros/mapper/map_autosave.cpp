@@ -34,11 +34,15 @@ std::string joined(const std::string& problem, const std::string& more) {
 /// Moves the copy of the previous map to the folder `lost`, so that no mapper continues with it after the loaded map
 /// could not be saved. Returns what to add to the problem.
 std::string setPreviousAside(const SessionMemory& memory, const SessionMemory& replaced) {
-  const auto stays = [](const fs::path& base) { return kept_map::exists(base) && kept_map::setAside(base).empty(); };
-  const std::vector<fs::path>& bases = memory.files();
-  if (std::any_of(bases.begin(), bases.end(), stays)) return disown(replaced);
+  std::string words;
+  for (const fs::path& base : memory.files()) {
+    if (!kept_map::exists(base)) continue;
+    const std::string lost = kept_map::setAside(base);
+    if (lost.empty()) return disown(replaced);
+    words = "the copy of the previous map is kept: " + kept_map::whereItIs(lost);
+  }
   memory.forget();
-  return {};
+  return words;
 }
 
 /// Stores the pose, on a thread that may wait for a disk which is busy for a moment. Returns why it could not be.
@@ -157,7 +161,7 @@ std::optional<MapPose> MapAutosave::restore(occupancy::OccupancyMap& map) const 
 std::string MapAutosave::keptBefore() const {
   for (const fs::path& base : memory_.files()) {
     const std::string lost = kept_map::lastSetAside(base);
-    if (!lost.empty()) return "; those of the one before it are kept, mapper/load_map may still read " + lost;
+    if (!lost.empty()) return "; those of the one before it are kept: " + kept_map::whereItIs(lost);
   }
   return {};
 }
@@ -238,8 +242,8 @@ void MapAutosave::lose(const std::string& why) {
   const std::string lost = base ? kept_map::setAside(*base) : std::string();
   if (!lost.empty()) replaced_.forget();
   loss_ = lost.empty() ? why
-                       : why + "; its files are kept: mapper/load_map may still read " + lost +
-                             ", or its picture if the .bt is moved away";
+                       : why + "; its files are kept, of which the picture is read if the .bt is moved away: " +
+                             kept_map::whereItIs(lost);
   mapping_since_.reset();
 }
 

@@ -35,11 +35,11 @@ void MapperAdapter::putAside(const std::string& other_map_file) {
     return map_file.empty() ? std::string("without a map_file") : "with the map_file " + map_file;
   };
   const std::string lost = autosave_.putAside();
-  ROS_WARN_STREAM("the mapper does not continue with the map of one that died, because that one began "
-                  << beginning(other_map_file) << ", and this one begins "
-                  << beginning(mapFileName(parameters_.map_file)) << "; its files "
-                  << (lost.empty() ? "could not be put aside, and will be replaced"
-                                   : "are kept: mapper/load_map may still read " + lost));
+  ROS_WARN_STREAM(
+      "the mapper does not continue with the map of one that died, because that one began "
+      << beginning(other_map_file) << ", and this one begins " << beginning(mapFileName(parameters_.map_file))
+      << "; its files "
+      << (lost.empty() ? "could not be put aside, and will be replaced" : "are kept: " + kept_map::whereItIs(lost)));
 }
 
 /// Continues with that map, once the first odometry message has come.

@@ -79,7 +79,10 @@ TEST_F(KeptMap, GoesToAnotherFolderWhereLostCannotBeWritten_FLT_2) {
 TEST_F(KeptMap, LostAgainAndAgainKeepsTheFirstOnesAndTheLast_FLT_2) {
   for (int i = 1; i <= 12; ++i) {
     write(std::to_string(i));
-    ASSERT_NE(kept_map::setAside(base_), "");
+    const std::string lost = kept_map::setAside(base_);
+    ASSERT_NE(lost, "");
+    EXPECT_EQ(kept_map::whereItIs(lost).find("replaces the one") != std::string::npos, i >= 9)
+        << "those that go are told of";
   }
   EXPECT_EQ(contentOf((base_.parent_path() / "lost" / base_.filename()).string() + ".bt"), "1");
   EXPECT_EQ(contentOf(kept_map::lastSetAside(base_) + ".bt"), "12");
