@@ -16,6 +16,7 @@ from run_recording import free_name
 DISK = 10.0  # [s], for which a disk is waited for that may only have to wake up
 MAPPER = 35.0  # [s], a little longer than the mapper waits for a disk, and before that for its map
 
+
 def default_prefix(folder='maps'):
     """The path of a map in this folder that is this run's alone, also if another one ends in the same second: its picture is
     there, and empty, until the map is saved. OSError if it cannot be made."""
@@ -99,7 +100,7 @@ def ask_to_save(path_of, otherwise):
     """Has the mapper save the map to the path that this gives, prints where it is, and gives the path. Raises what went wrong. If nothing
     can be prepared there it is asked all the same for a path `otherwise`, if given: a mapper that was asked in vain leaves its copy."""
     try:
-        path = within(DISK, 'the disk on which it was to be', make_folder, path_of)
+        path = within(DISK, 'the disk on which it was to be', once_the_disk_answers, path_of)
     except (OSError, NoAnswer):
         if not otherwise:
             raise
@@ -125,14 +126,10 @@ def was_left_empty(path):
         return False
 
 
-def make_folder(path_of):
-    """The whole path that this gives, whose folder there is then."""
+def once_the_disk_answers(path_of):
+    """The whole path that this gives. Its folder may be on the computer of the mapper only."""
     path = os.path.abspath(path_of())
-    try:
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-    except OSError:
-        remove_empty(path + '.pgm')
-        raise
+    os.path.isdir(os.path.dirname(path))
     return path
 
 
