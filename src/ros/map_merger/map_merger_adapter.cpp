@@ -104,6 +104,8 @@ void MapMergerAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   const bool complete = !robots_.empty() && merged == robots_.size();
   status.summary(complete ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
                  robots_.empty() ? "no robots are listed" : summary + left_out);
+  const std::string delay = saver_.saves().delay(steadyNow());
+  if (!delay.empty()) status.mergeSummary(DiagnosticStatus::WARN, delay);
   if (!rival_.empty()) status.summary(DiagnosticStatus::ERROR, rival_ + " publishes " + topic_ + " as well");
 }
 

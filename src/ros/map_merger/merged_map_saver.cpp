@@ -13,10 +13,10 @@ void MergedMapSaver::serve(NodeConnections& connections) {
 }
 
 bool MergedMapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
-  const auto map = thread_.ask<OccupancyGrid>([](const OccupancyGrid& common) { return common; });
-  const map_files::MapIoResult none{map_files::MapIoStatus::kCannotWrite,
-                                    thread_.whyNot("map merger", "hand over its map")};
-  answerSave(map ? map_files::saveGrid(*map, request.path) : none, response);
+  const auto copy = [](const OccupancyGrid& common) { return common; };
+  const auto save = [path = request.path](const OccupancyGrid& map) { return map_files::saveGrid(map, path); };
+  answerSave(saveCopy<OccupancyGrid, const OccupancyGrid>(thread_, saves_, request.path, "map merger", copy, save),
+             response);
   return true;
 }
 

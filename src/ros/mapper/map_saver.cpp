@@ -1,5 +1,4 @@
 #include <boost/make_shared.hpp>
-#include <memory>
 #include <utility>
 
 #include "ros/common/callback_guard.h"
@@ -42,15 +41,9 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 }
 
 map_files::MapIoResult MapSaver::save(const std::string& path) {
-  using map_files::MapSnapshot;
-  std::string refusal = saves_.refusal(path);
-  if (!refusal.empty()) return {map_files::MapIoStatus::kCannotWrite, std::move(refusal)};
-  using Shared = std::shared_ptr<const MapSnapshot>;
-  const auto snapshot = thread_.ask<Shared>([](const occupancy::OccupancyMap& map) {
-    return std::make_shared<const MapSnapshot>(map_files::takeSnapshot(map));
-  });
-  if (snapshot) return saves_.run(path, [map = *snapshot, path] { return map_files::saveMap(*map, path); });
-  return {map_files::MapIoStatus::kCannotWrite, thread_.whyNot("mapper", "hand over its map")};
+  return saveCopy<map_files::MapSnapshot, occupancy::OccupancyMap>(
+      thread_, saves_, path, "mapper", map_files::takeSnapshot,
+      [path](const map_files::MapSnapshot& map) { return map_files::saveMap(map, path); });
 }
 
 }  // namespace frontier_pilot

@@ -8,9 +8,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/map_files/map_io.h"
+#include "ros/common/threads/service_thread.h"
 
 namespace frontier_pilot {
 
@@ -52,5 +54,21 @@ class MapSaves {
   const Duration patience_;
   const std::shared_ptr<State> state_ = std::make_shared<State>();
 };
+
+/// Saves to `path` the copy of the map that the node's thread hands over, on one of the threads of its service; `node`
+/// names it in words.
+template <class Copy, class Subject>
+map_files::MapIoResult saveCopy(ServiceThread<Subject>& thread, MapSaves& saves, const std::string& path,
+                                const std::string& node, Copy (*copy)(const Subject&),
+                                const std::function<map_files::MapIoResult(const Copy&)>& save) {
+  using map_files::MapIoStatus;
+  std::string refusal = saves.refusal(path);  // before a large map is copied
+  if (!refusal.empty()) return {MapIoStatus::kCannotWrite, std::move(refusal)};
+  using Shared = std::shared_ptr<const Copy>;
+  const auto copied =
+      thread.template ask<Shared>([copy](Subject& subject) { return std::make_shared<const Copy>(copy(subject)); });
+  if (copied) return saves.run(path, [map = *copied, save] { return save(*map); });
+  return {MapIoStatus::kCannotWrite, thread.whyNot(node, "hand over its map")};
+}
 
 }  // namespace frontier_pilot
