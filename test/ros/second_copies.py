@@ -90,10 +90,12 @@ class SecondCopies(unittest.TestCase):
             self.assertEqual(rosservice.get_service_node('/' + service), '/mapper', '[MAP-3]')
 
     # [FLT-2]
-    def test_a_second_server_of_an_action_or_merger_under_another_name_does_not_start(self):
+    def test_a_second_server_of_an_action_or_of_a_fleet_under_another_name_does_not_start(self):
         for executable, does, name in [('navigator', 'serves the action', '/move_base'),
                                        ('behavior_server', 'serves the action', '/spin'),
                                        ('patrol_server', 'serves the action', '/turtlebot3'),
+                                       ('waypoint_follower', 'serves the action', '/follow_waypoints'),
+                                       ('fleet_stop', 'offers', '/fleet/emergency_stop'),
                                        ('map_merger', 'offers', '/map_merger/save_map')]:
             first = self.start(executable)
             self.assertTrue(wait_for(lambda: is_served(name, '/' + executable)))
