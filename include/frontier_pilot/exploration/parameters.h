@@ -260,8 +260,10 @@ struct ExplorerParameters {
     v.field("done_settle_time", done_settle_time, "s", "exploration is done after this long without a goal to send",
             timeSpanOrNone());
     v.fixed({"yield_time", "vanished_share"});
-    v.field("input_timeout", input_timeout, "s", "greatest age of pose and odometry; beyond it they count as missing",
-            timeSpan());
+    v.field(
+        "input_timeout", input_timeout, "s",
+        "greatest age of pose and odometry; beyond it they count as missing, until they are younger than half of it",
+        timeSpan());
     v.field("report_period", report_period, "s", "time between two warnings about missing inputs", tickPeriod());
     v.field("return_to_start", return_to_start, "", "drive back to the start before DONE");
     v.group("frontier", frontier, "frontiers and their goals");

@@ -64,7 +64,8 @@ void Explorer::Impl::standFor(ExplorerReason reason, Time now) {
 }
 
 std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) const {
-  const double age = parameters_.input_timeout;
+  // What has been missing must be fresh again: goals would be sent and taken back in turn where its age varies a little.
+  const double age = last_report_ ? 0.5 * parameters_.input_timeout : parameters_.input_timeout;
   std::vector<ExplorerReason> missing;
   if (!inputs.map_available || evaluator_.map().empty()) missing.push_back(ExplorerReason::kMapGone);
   if (!inputs.odometry_stamp || isOlder(*inputs.odometry_stamp, now, age)) {

@@ -83,7 +83,7 @@ class ExplorerTest : public ::testing::Test {
     inputs.T_map_base.reset();
     inputs.odometry_stamp.reset();
     if (pose_comes) inputs.T_map_base = StampedPose2{now, pose};
-    if (odometry_comes) inputs.odometry_stamp = now;
+    if (odometry_comes) inputs.odometry_stamp = now - odometry_age;
     exploration::ExplorerOutput output = explorer.update(inputs, now);
     inputs.goal_events.clear();
     inputs.reset = false;
@@ -123,6 +123,7 @@ class ExplorerTest : public ::testing::Test {
   Time now = timeFromSeconds(100.0);
   bool pose_comes = true;
   bool odometry_comes = true;
+  Duration odometry_age{};
   exploration::GoalCommand sent;
   std::vector<exploration::ExplorerProgress> history;
   std::vector<exploration::ExplorerNote> notes;

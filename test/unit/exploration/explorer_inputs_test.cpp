@@ -91,6 +91,18 @@ INSTANTIATE_TEST_SUITE_P(EachInput, ExplorerLosses,
                                            Loss{"LeaveOfTheArbiter", Reason::kNavigationDisabled}),
                          [](const auto& loss) { return loss.param.name; });
 
+// [EXP-8]
+TEST_F(ExplorerInputsTest, OdometryWhoseAgeVariesAboutTheGreatestIsWaitedForUntilItIsFresh_EXP_8) {
+  show(kRoom);
+  tick();
+  odometry_age = std::chrono::milliseconds(1600);
+  EXPECT_EQ(tick().status.reason, Reason::kOdometryGone);
+  odometry_age = std::chrono::milliseconds(1400);
+  EXPECT_EQ(tickFor(2.0).status.reason, Reason::kOdometryGone) << "no goal is sent and taken back again and again";
+  odometry_age = std::chrono::milliseconds(700);
+  EXPECT_EQ(tick().status.state, State::kNavigating);
+}
+
 // [EXP-5] [EXP-8]
 TEST_F(ExplorerInputsTest, ANavigationThatCanDriveNowhereIsWaitedForAndNoFaultOfThePlaces_EXP_8) {
   show(kTwoEnds);
