@@ -212,6 +212,7 @@ class FleetStop(unittest.TestCase):
         stranger = rospy.Publisher('/fleet/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
         self.addCleanup(stranger.unregister)
         self.test_a_robot_that_is_not_listed_is_found_and_stopped()
+        self.node.end()  # a second one is refused for another reason
         for name in ('fleet', '/fleet'):
             rospy.set_param('/refused/robots', [{'name': name}])
             code, said = Node('fleet_stop', '__name:=refused').finish(20.0)

@@ -4,6 +4,7 @@ import glob
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -21,6 +22,15 @@ import rostest
 from wire import free_port, use_a_home_of_its_own, wait_for
 
 Answer = namedtuple('Answer', 'success message')
+
+# A node of another program: a second node of ours does not start.
+OFFERS = """
+import rospy
+from std_srvs.srv import Trigger
+rospy.init_node('second')
+service = rospy.Service('%s', Trigger, lambda _: (True, ''))
+rospy.spin()
+"""
 
 
 class Registration(unittest.TestCase):
@@ -319,10 +329,11 @@ class Registration(unittest.TestCase):
 
     # [FLT-1]
     def test_a_service_that_a_second_node_took_and_left_is_offered_again(self):
-        service = '/waypoint_follower/clear'  # a navigator, for one, does not start beside another
+        service = '/waypoint_follower/clear'
         self.node('waypoint_follower')
         self.assertTrue(wait_for(lambda: service in self.services(), 20.0))
-        second = self.node('waypoint_follower', '__name:=second')
+        second = subprocess.Popen([sys.executable, '-c', OFFERS % service], env=self.environment)
+        self.processes.append(second)
         self.assertTrue(wait_for(lambda: self.services()[service] == ['/second'], 20.0), self.services().get(service))
         second.send_signal(signal.SIGINT)
         second.wait(10.0)
