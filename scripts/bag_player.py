@@ -7,6 +7,7 @@ recorded. A transform to the odometry frame, such as the `map -> odom` of anothe
 Parameters: ~bag (file), ~scan and ~odom (topics; empty: it chooses), ~base_frame (base_footprint), ~odom_frame (odom),
 ~map_frame (map), ~mount ("x y yaw" of the scanner on the base, where the bag does not say it [m m rad]), ~speed (recorded over
 real time), ~save_map (path; empty: none), ~stay (whether the clock goes on at the end, for rviz).
+While the mapper is away, because it died and is started again, the clock stands still.
 It plays nothing at a master where another node publishes /clock, scan or odom, in whatever namespace: a robot or a simulation.
 Exit code: 0 when the bag was played to its end, 1 otherwise.
 """
@@ -30,6 +31,7 @@ from sensor_msgs.msg import LaserScan  # noqa: E402
 from tf2_msgs.msg import TFMessage  # noqa: E402
 
 from bag_drive import LATCHED, LEAD_IN, Drive  # noqa: E402
+from bag_mapper import BagMapper  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
 import ros_program  # noqa: E402
 from saved_maps import Saved, save_map  # noqa: E402
@@ -37,6 +39,7 @@ from saved_maps import Saved, save_map  # noqa: E402
 PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump
 PATIENCE = 30.0  # for the mapper to subscribe [s]
+OTHERS_FIRST = 5.0  # for the mapper, once somebody listens, such as rviz [s]
 MOST_SPEED = 1000.0
 OF_A_ROBOT = ('clock', 'scan', 'odom')  # the last words of topics that are played, and that a robot or a simulation publishes as well
 LONGEST_NAME = 250  # of a map [bytes], without .yaml
@@ -93,6 +96,7 @@ class Player:
         self.tf_static = rospy.Publisher(LATCHED, TFMessage, queue_size=1, latch=True)
         self.last_pose = None  # of odometry from transforms
         self.played = {'scan': 0, 'odom': 0, 'tf': 0, 'tf_of_odom': 0}
+        self.mapper = BagMapper(self.played, self.clock, self.scan, self.odom)
 
     def tick(self, seconds):
         """Lets the clock go on by recorded `seconds`."""
@@ -100,26 +104,32 @@ class Player:
         ros_program.publish(self.clock, Clock(rospy.Time.from_sec(self.now)))
 
     def run_until(self, end, each=None):
-        """Lets the clock run to `end`; `each` is called at every step. False when the node was shut down."""
+        """Lets the clock run to `end`, but not while the mapper is away; `each` is called at every step. False when the node was shut
+        down, or the mapper stays away."""
         last = time.monotonic()
-        while self.now < end and not rospy.is_shutdown():
+        while self.now < end and not rospy.is_shutdown() and not self.mapper.is_lost():
             time.sleep(PERIOD)
             now = time.monotonic()
-            self.tick(self.speed * min(now - last, LONGEST_STEP))
+            self.tick(0.0 if self.mapper.is_away() else self.speed * min(now - last, LONGEST_STEP))
             last = now
             if each is not None:
                 each()
-        return not rospy.is_shutdown()
+        return not rospy.is_shutdown() and not self.mapper.is_lost()
 
     def await_mapper(self):
         ros_program.publish(self.tf_static, TFMessage(list(self.drive.fixed.values())))
         end = time.monotonic() + PATIENCE
+        somebody_listens = False
         while time.monotonic() < end and not rospy.is_shutdown():
             self.tick(0.0)
-            if self.scan.get_num_connections() > 0 and self.odom.get_num_connections() > 0:
+            if self.mapper.find():
                 return
+            if self.scan.get_num_connections() > 0 and self.odom.get_num_connections() > 0:
+                somebody_listens = True
+                end = min(end, time.monotonic() + OTHERS_FIRST)
             time.sleep(10.0 * PERIOD)
-        rospy.logwarn('nobody listens to scan and odom; the bag is played all the same')
+        if not somebody_listens:
+            rospy.logwarn('nobody listens to scan and odom; the bag is played all the same')
 
     def play(self):
         """Gives whether it came to the end of the bag."""
@@ -210,10 +220,14 @@ def main():
     player = Player(drive, speed)
     player.await_mapper()
     if not (player.play() and player.run_until(player.now + SETTLING * max(1.0, player.speed))):
+        if player.mapper.is_lost():
+            rospy.logfatal('the mapper ended and is not back: the rest of the bag is not played')
         if path:
             say('bag_player: ended before the end of the bag: no map is saved as %s' % path, sys.stderr)
         return 1
     say_what_was_mapped(drive, player)
+    player.mapper.say_loss()
+    player.mapper.leave()
     saved = save_map(path) is Saved.WHERE_ASKED if path else True
     if rospy.get_param('~stay', False):
         player.speed = 1.0

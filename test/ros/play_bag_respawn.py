@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""A recorded drive waits for a mapper that died."""
+import os
+import re
+import shutil
+import signal
+import tempfile
+import unittest
+
+import rosgraph
+import rospy
+import rostest
+from sensor_msgs.msg import LaserScan
+
+from play_bag import write_bag
+from wire import Node, Record, pid_of, wait_for
+
+ON_ITS_WAY = 5  # scans at most, before the player knows that the mapper is gone
+
+
+class PlayBagRespawn(unittest.TestCase):
+    def setUp(self):
+        rospy.init_node('play_bag_respawn')
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.scans = Record('scan', LaserScan)
+
+    def is_another_than(self, pid):
+        try:
+            return pid_of('/mapper') != pid
+        except (OSError, rosgraph.MasterException):
+            return False
+
+    def test_the_drive_waits_for_a_mapper_that_died_and_the_player_says_what_the_map_lacks(self):  # [FLT-2]
+        bag = os.path.join(self.folder, 'drive.bag')
+        write_bag(bag)
+        player = Node('bag_player.py', '_bag:=' + bag, '_speed:=2.0', '_save_map:=' + os.path.join(self.folder, 'mapped'))
+        self.addCleanup(player.end)
+        self.assertTrue(wait_for(lambda: len(self.scans.items) > 40, 60.0), player.said())
+        pid = pid_of('/mapper')
+        os.kill(pid, signal.SIGKILL)
+        before = len(self.scans.items)
+        self.assertTrue(wait_for(lambda: self.is_another_than(pid), 60.0), player.said())
+        self.assertLess(len(self.scans.items) - before, ON_ITS_WAY, 'the rest waits')
+        self.assertTrue(wait_for(lambda: player.said() and player.has_ended(), 120.0), player.said())
+        said = player.said()
+        self.assertEqual(0, player.process.returncode, said)
+        self.assertIn('Map saved', said)
+        counts = re.search('the mapper ended once while the bag was played.* of ([0-9]+) scans it has taken ([0-9]+)', said)
+        self.assertTrue(counts, said)
+        played, taken = map(int, counts.groups())
+        self.assertGreater(played, 80)
+        self.assertGreater(taken, played - ON_ITS_WAY, said)
+        self.assertLessEqual(taken, played)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('frontier_pilot', 'play_bag_respawn', PlayBagRespawn)
