@@ -95,7 +95,8 @@ class Explorer::Impl {
   /// Cancels the goal and waits.
   void standFor(ExplorerReason reason, Time now);
   void stopFor(const std::string& missing, ExplorerReason first, Time now);
-  std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
+  bool isStale(Time stamp, Time now, bool& was_stale) const;
+  std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now);
   bool givesUpReturn(const std::optional<Goal>& goal, Time now);
   void endReturn();
   void standUntilItCanDrive(const std::string& what, Time now);
@@ -207,7 +208,8 @@ class Explorer::Impl {
   const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
   std::optional<ExplorerReason> ended_by_;     ///< the stopping rule, until started again
   std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start
-  std::optional<Time> return_waits_since_;     ///< since when it has got nowhere on the way
+  bool odometry_is_stale_ = false, pose_is_stale_ = false;
+  std::optional<Time> return_waits_since_;  ///< since when it has got nowhere on the way
 };
 
 }  // namespace frontier_pilot::exploration

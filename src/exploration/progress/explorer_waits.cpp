@@ -63,15 +63,22 @@ void Explorer::Impl::standFor(ExplorerReason reason, Time now) {
   enter(ExplorerState::kIdle, reason, "", now);
 }
 
-std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) const {
-  // What has been missing must be fresh again: goals would be sent and taken back in turn where its age varies a little.
-  const double age = last_report_ ? 0.5 * parameters_.input_timeout : parameters_.input_timeout;
+/// Whether an input is too old. One that `was_stale` has to be fresh again: where the age of an input varies around the
+/// limit, goals would be sent and taken back in turn.
+bool Explorer::Impl::isStale(Time stamp, Time now, bool& was_stale) const {
+  const double age = was_stale ? 0.5 * parameters_.input_timeout : parameters_.input_timeout;
+  was_stale = isOlder(stamp, now, age);
+  return was_stale;
+}
+
+std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) {
   std::vector<ExplorerReason> missing;
   if (!inputs.map_available || evaluator_.map().empty()) missing.push_back(ExplorerReason::kMapGone);
-  if (!inputs.odometry_stamp || isOlder(*inputs.odometry_stamp, now, age)) {
+  if (!inputs.odometry_stamp || isStale(*inputs.odometry_stamp, now, odometry_is_stale_)) {
     missing.push_back(ExplorerReason::kOdometryGone);
   }
-  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite() || isOlder(inputs.T_map_base->stamp, now, age)) {
+  const std::optional<StampedPose2>& pose = inputs.T_map_base;
+  if (!pose || !pose->pose.isFinite() || isStale(pose->stamp, now, pose_is_stale_)) {
     missing.push_back(ExplorerReason::kPoseGone);
   }
   if (!inputs.localized) missing.push_back(ExplorerReason::kNotLocalized);
