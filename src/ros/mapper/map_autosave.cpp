@@ -136,7 +136,11 @@ std::string MapAutosave::putAside() {
   return lost;
 }
 
-std::optional<std::string> MapAutosave::leave(Duration patience) const {
+std::optional<std::string> MapAutosave::leave(Duration patience) {
+  noteEnd();
+  if (superseded_ || unwanted_) return std::string();  // it is of a map that was replaced
+  disown(replaced_);                                   // wherever it is, no mapper goes on with it by itself
+  if (isSaving()) return std::nullopt;
   return PatientThread(patience).run<std::string>([own = *this]() mutable {
     std::string lost = own.putAside();
     const std::optional<fs::path> base = own.find();  // on a disk that is full
@@ -147,8 +151,7 @@ std::optional<std::string> MapAutosave::leave(Duration patience) const {
 std::optional<MapPose> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   const std::optional<fs::path> base = find();
   if (!base && memory_.recallAll().empty()) return std::nullopt;
-  if (base && replaced_.recall())
-    throw std::runtime_error("it could not be saved, and the copy is of the map before it");
+  if (base && replaced_.recall()) throw std::runtime_error("what is kept is not the map to go on with");
   const std::optional<KeptPose> pose = recall();
   if (!pose) throw std::runtime_error("the pose that was saved with it cannot be read");
   if (!base) throw std::runtime_error("its files are gone" + keptBefore());

@@ -45,7 +45,7 @@ class MapAutosave {
   std::string putAside();
   /// The same at the end, because the map was not saved elsewhere; a copy that could not be moved stays where it is.
   /// Returns its base, empty if there is no copy; nothing if the disk does not answer in time.
-  std::optional<std::string> leave(Duration patience) const;
+  std::optional<std::string> leave(Duration patience);
   /// Reads the map of a mapper that died and returns its pose; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<MapPose> restore(occupancy::OccupancyMap& map) const;

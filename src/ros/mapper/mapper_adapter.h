@@ -36,7 +36,8 @@ class MapperAdapter {
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   ~MapperAdapter() { saver_.close(), searcher_.close(); }
   /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map. It stays if the
-  /// mapper did not continue with it, or ends because another process has its name.
+  /// mapper did not continue with it, or ends because another process has its name; it is put aside if the map could
+  /// not be saved when it was last to be.
   void sayLastWords();
   MapperAdapter(const MapperAdapter&) = delete;
   MapperAdapter& operator=(const MapperAdapter&) = delete;

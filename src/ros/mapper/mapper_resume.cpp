@@ -61,9 +61,10 @@ void MapperAdapter::sayLastWords() {
     ROS_WARN("another process took this node's name: the map is left for the mapper that is started after it");
     return;
   }
-  if (!leaveUnsaved()) autosave_.forget(std::chrono::seconds(5));
-  // The threads that save may hang as well as this one.
-  if (autosave_.isForgetting() || !saver_.saves().delay(steadyNow()).empty()) limitTheEndAnyway();
+  const bool is_kept = leaveUnsaved();
+  if (!is_kept) autosave_.forget(std::chrono::seconds(5));
+  // The threads that save may hang; but one that saves a map of which there is no copy is waited for.
+  if (is_kept || autosave_.isForgetting()) limitTheEndAnyway();
 }
 
 /// A map that could not be saved where somebody wanted it stays in the copy, put aside so that no mapper goes on with
@@ -71,10 +72,11 @@ void MapperAdapter::sayLastWords() {
 bool MapperAdapter::leaveUnsaved() {
   const std::string why = saver_.saves().whyNotSaved();
   if (why.empty()) return false;
-  autosave();
-  awaitAutosave();
-  const auto lost = autosave_.isSaving() ? std::nullopt : autosave_.leave(std::chrono::seconds(3));
-  if (!lost) limitTheEndAnyway();
+  if (ros::ok()) {  // else the threads that save have ended
+    autosave();
+    awaitAutosave();
+  }
+  const auto lost = autosave_.leave(std::chrono::seconds(3));
   if (lost && lost->empty()) return false;
   ROS_WARN_STREAM("the map was not saved, "
                   << printable(why, bounds::kMostLine) << "; "

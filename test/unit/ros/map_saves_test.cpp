@@ -74,7 +74,7 @@ TEST_F(MapSavesToADiskThatHangs, AreNotBegunAgainInTheSameFolderUntilItAnswers_F
   saves_.run("/hung/floor", hang());
   const MapIoResult again = saves_.run("/hung/other/../floor_1", [] { return ADD_FAILURE(), succeed(); });
   EXPECT_FALSE(again.ok());
-  mustTell(again.text, "saving to /hung/floor has not ended for 0 s");
+  mustTell(again.text, "saving to /hung/floor has not ended: until it does");
   EXPECT_EQ(saves_.refusal("/hung/floor"), again.text);
   answer();
   EXPECT_EQ(saves_.refusal("/hung/floor"), "");
@@ -106,6 +106,31 @@ TEST_F(MapSavesToADiskThatHangs, LeaveTheMapUnsavedUntilALaterOneHasEnded_FLT_2)
   EXPECT_EQ(saves_.whyNotSaved(), "saving to /hung/floor has not ended");
   answer();
   EXPECT_EQ(saves_.whyNotSaved(), "");
+}
+
+// [FLT-2]
+TEST_F(MapSavesToADiskThatHangs, LeaveTheMapUnsavedAlsoIfALaterOneWasRefused_FLT_2) {
+  saves_.run("/hung/floor", hang());
+  const std::string refusal = saves_.run("/hung/floor", succeed).text;
+  answer();
+  EXPECT_EQ(saves_.whyNotSaved(), refusal) << "what was saved is an earlier map";
+  saves_.refuse("the mapper is busy");
+  EXPECT_EQ(saves_.whyNotSaved(), "the mapper is busy");
+}
+
+// [FLT-1]
+TEST_F(MapSavesToADiskThatHangs, ToTheSamePathFollowEachOther_FLT_1) {
+  MapSaves patient(kVeryLong);
+  std::thread first([&] { patient.run("/slow/floor", hang()); });
+  while (*begun_ == 0) std::this_thread::yield();
+  std::atomic<bool> second_is_begun = false;
+  std::thread second([&] { patient.run("/slow/./floor", [&] { return second_is_begun = true, succeed(); }); });
+  EXPECT_TRUE(patient.run("/slow/other", succeed).ok());
+  EXPECT_FALSE(second_is_begun);
+  answer();
+  first.join();
+  second.join();
+  EXPECT_TRUE(second_is_begun);
 }
 
 // [FLT-2]

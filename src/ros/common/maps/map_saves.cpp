@@ -1,5 +1,6 @@
 #include "ros/common/maps/map_saves.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -17,14 +18,18 @@ using map_files::MapIoStatus;
 
 constexpr Duration kWorthSaying = std::chrono::seconds(5);
 
-std::filesystem::path folderOf(const std::string& path) {
+std::filesystem::path pathOf(const std::string& path) {
   std::error_code error;
-  return std::filesystem::absolute(path, error).lexically_normal().parent_path();
+  return std::filesystem::absolute(path, error).lexically_normal();
+}
+
+std::string unended(const std::string& path) {
+  return "saving to " + printable(path, bounds::kMostLine) + " has not ended";
 }
 
 std::string unended(const std::string& path, Duration took) {
-  return "saving to " + printable(path, bounds::kMostLine) + " has not ended for " +
-         std::to_string(std::chrono::duration_cast<std::chrono::seconds>(took).count()) + " s";
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(took).count();
+  return unended(path) + " for " + std::to_string(seconds) + " s: its disk is slow or does not answer";
 }
 
 MapIoResult tried(const std::function<MapIoResult()>& save) {
@@ -37,54 +42,67 @@ MapIoResult tried(const std::function<MapIoResult()>& save) {
 
 }  // namespace
 
+bool MapSaves::isBeingSaved(const std::string& path) const {
+  const auto& under_way = state_->under_way;
+  const std::filesystem::path wanted = pathOf(path);
+  return std::any_of(under_way.begin(), under_way.end(),
+                     [&](const auto& save) { return pathOf(save.second.path) == wanted; });
+}
+
 std::string MapSaves::refusal(const std::string& path) const {
   const std::lock_guard<std::mutex> lock(state_->mutex);
   return refusal(path, steadyNow());
 }
 
+/// Says the same each time that it is asked, so that nobody who tries again and again logs it as news.
 std::string MapSaves::refusal(const std::string& path, SteadyTime now) const {
   const std::map<std::uint64_t, Save>& under_way = state_->under_way;
-  const std::filesystem::path folder = folderOf(path);
+  const std::filesystem::path folder = pathOf(path).parent_path();
   for (const auto& [number, save] : under_way) {
-    if (now - save.begun < patience_ || folderOf(save.path) != folder) continue;
-    return unended(save.path, now - save.begun) + ": until it does, no other map is saved in that folder";
+    if (now - save.begun < patience_ || pathOf(save.path).parent_path() != folder) continue;
+    return unended(save.path) + ": until it does, no other map is saved in that folder";
   }
   if (under_way.size() < kMost) return {};
-  const Save& oldest = under_way.begin()->second;
-  return unended(oldest.path, now - oldest.begun) + ", and " + std::to_string(kMost) +
+  return unended(under_way.begin()->second.path) + ", and " + std::to_string(kMost) +
          " maps are being saved already: no other one is meanwhile";
 }
 
+MapIoResult MapSaves::refuse(const std::string& why) {
+  const std::lock_guard<std::mutex> lock(state_->mutex);
+  ++state_->begun;  // one that ended later would be of an earlier map
+  state_->last = why;
+  return {MapIoStatus::kCannotWrite, why};
+}
+
 MapIoResult MapSaves::run(const std::string& path, const std::function<MapIoResult()>& save) {
-  std::uint64_t number = 0;
-  {
-    const std::lock_guard<std::mutex> lock(state_->mutex);
-    std::string refused = refusal(path, steadyNow());
-    if (!refused.empty()) return {MapIoStatus::kCannotWrite, std::move(refused)};
-    number = ++state_->begun;
-    state_->under_way[number] = {path, steadyNow()};
-    state_->last = "saving to " + printable(path, bounds::kMostLine) + " has not ended";
-  }
   PatientThread thread(patience_);
+  std::unique_lock<std::mutex> lock(state_->mutex);
+  const bool is_free = state_->ended.wait_for(lock, patience_, [&] { return !isBeingSaved(path); });
+  const std::string refused = is_free ? refusal(path, steadyNow()) : unended(path, patience_);
+  if (!refused.empty()) {
+    lock.unlock();
+    return refuse(refused);
+  }
+  const std::uint64_t number = ++state_->begun;
+  state_->under_way[number] = {path, steadyNow()};
+  state_->last = unended(path);
+  lock.unlock();
   const auto result = thread.run<MapIoResult>([state = state_, number, save] {
     MapIoResult saved = tried(save);
-    const std::lock_guard<std::mutex> lock(state->mutex);
+    const std::lock_guard<std::mutex> state_lock(state->mutex);
     state->under_way.erase(number);
     if (number == state->begun) state->last = saved.ok() ? std::string() : saved.text;
+    state->ended.notify_all();
     return saved;
   });
-  return result ? *result
-                : MapIoResult{MapIoStatus::kCannotWrite,
-                              unended(path, patience_) + ": its disk is slow or does not answer"};
+  return result ? *result : MapIoResult{MapIoStatus::kCannotWrite, unended(path, patience_)};
 }
 
 std::string MapSaves::delay(SteadyTime now) const {
   const std::lock_guard<std::mutex> lock(state_->mutex);
   if (state_->under_way.empty()) return {};
   const Save& oldest = state_->under_way.begin()->second;
-  return now - oldest.begun < kWorthSaying
-             ? std::string()
-             : unended(oldest.path, now - oldest.begun) + ": its disk is slow or does not answer";
+  return now - oldest.begun < kWorthSaying ? std::string() : unended(oldest.path, now - oldest.begun);
 }
 
 std::string MapSaves::whyNotSaved() const {

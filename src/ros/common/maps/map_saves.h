@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -28,11 +29,13 @@ class MapSaves {
   /// Why no map is saved to `path` now: one to the same folder hangs, or too many are under way. Empty if one is.
   std::string refusal(const std::string& path) const;
   /// What `save` gives, which writes the map to `path` and owns all that it uses; or that it has not ended in time,
-  /// and goes on.
+  /// and goes on. A save to the same path that is under way is waited for, as long.
   map_files::MapIoResult run(const std::string& path, const std::function<map_files::MapIoResult()>& save);
   /// Which save has not ended, and for how long; empty if none takes longer than five seconds at `now`.
   std::string delay(SteadyTime now) const;
-  /// Why the map that was begun to be saved last is not; empty if it is, or if there was none.
+  /// A map was to be saved, and is not, because of `why`: the answer to that.
+  map_files::MapIoResult refuse(const std::string& why);
+  /// Why the map that was to be saved last is not; empty if it is, or if there was none.
   std::string whyNotSaved() const;
 
  private:
@@ -43,12 +46,14 @@ class MapSaves {
   /// Also of the saves that hang when this object is destroyed.
   struct State {
     std::mutex mutex;
-    std::uint64_t begun = 0;                  ///< saves
+    std::condition_variable ended;
+    std::uint64_t begun = 0;                  ///< saves, and those that were refused
     std::map<std::uint64_t, Save> under_way;  ///< by number, so that the oldest is the first
     std::string last;                         ///< why the last one is not saved; empty if it is
   };
 
   /// With the state locked.
+  bool isBeingSaved(const std::string& path) const;
   std::string refusal(const std::string& path, SteadyTime now) const;
 
   const Duration patience_;
@@ -61,14 +66,13 @@ template <class Copy, class Subject>
 map_files::MapIoResult saveCopy(ServiceThread<Subject>& thread, MapSaves& saves, const std::string& path,
                                 const std::string& node, Copy (*copy)(const Subject&),
                                 const std::function<map_files::MapIoResult(const Copy&)>& save) {
-  using map_files::MapIoStatus;
-  std::string refusal = saves.refusal(path);  // before a large map is copied
-  if (!refusal.empty()) return {MapIoStatus::kCannotWrite, std::move(refusal)};
+  const std::string refusal = saves.refusal(path);  // before a large map is copied
+  if (!refusal.empty()) return saves.refuse(refusal);
   using Shared = std::shared_ptr<const Copy>;
   const auto copied =
       thread.template ask<Shared>([copy](Subject& subject) { return std::make_shared<const Copy>(copy(subject)); });
   if (copied) return saves.run(path, [map = *copied, save] { return save(*map); });
-  return {MapIoStatus::kCannotWrite, thread.whyNot(node, "hand over its map")};
+  return saves.refuse(thread.whyNot(node, "hand over its map"));
 }
 
 }  // namespace frontier_pilot

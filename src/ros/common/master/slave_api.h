@@ -2,7 +2,7 @@
 
 namespace frontier_pilot {
 
-/// Replaces two methods of this node's slave API (XML-RPC), with which one request ends a node of roscpp: a
+/// Replaces three methods of this node's slave API (XML-RPC), with which one request ends a node of roscpp: a
 /// `system.multicall` that calls itself exhausts the stack, and a `requestTopic` for UDPROS with datagrams of 8 bytes
 /// divides by zero. Afterwards `system.multicall` is refused, and `requestTopic` offers TCPROS only, as that of rospy
 /// does. `shutdown` is replaced as well, by one that keeps the reason for `isReplaced`, and that refuses what the
