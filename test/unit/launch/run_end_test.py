@@ -9,8 +9,9 @@ import time
 import unittest
 
 RUN = pathlib.Path(__file__).resolve().parents[3] / 'scripts/run'
-BEFORE = 'set -euo pipefail; root=. claim=claim record=true; say() { echo "$1"; }\n'
-AFTER = '\nlogs=.; heed_signals; trap end_by_itself EXIT; exit "$1"'
+# The clock of the script stands still, so that no signal comes late on a busy computer.
+BEFORE = 'unset SECONDS; SECONDS=0; set -euo pipefail; root=. claim=claim record=true; say() { echo "$1"; }\n'
+AFTER = '\nlogs=. log=log; heed_signals; trap end_by_itself EXIT; exit "$1"'
 # In place of scripts/report: it ends when a file `enough` is there.
 REPORT = '''#!/bin/bash
 trap 'exit 129' HUP
@@ -39,6 +40,8 @@ class RunEnd(unittest.TestCase):
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         number = self.folder / 'number'
         while not number.exists() or not number.read_text():
+            if script.poll() is not None and not number.exists():
+                self.fail('it made no report: %s%s' % script.communicate())
             time.sleep(0.01)
         return script, int(number.read_text())
 
