@@ -85,7 +85,7 @@ class SavedMaps(unittest.TestCase):
 
     def test_a_map_whose_disk_does_not_answer_is_saved_below_ros_home(self):
         """[FLT-1] [FLT-2]"""
-        with mock.patch('saved_maps.os.makedirs', self.hanging(os.makedirs, lambda folder: folder == self.folder)):
+        with mock.patch('saved_maps.os.path.isdir', self.hanging(os.path.isdir, lambda folder: folder == self.folder)):
             saved, said = self.saved_after_waiting()
         self.assertEqual(saved, Saved.ELSEWHERE)
         self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
@@ -103,7 +103,8 @@ class SavedMaps(unittest.TestCase):
     def test_it_ends_although_no_disk_answers_and_the_mapper_hears_that_the_map_was_to_be_saved(self):
         """[FLT-1] [FLT-2]"""
         self.answers = [SaveMapResponse(success=False, message='the disk does not answer')]
-        with mock.patch('saved_maps.os.makedirs', self.hanging(os.makedirs, lambda _: True)):
+        with mock.patch('saved_maps.os.path.isdir', self.hanging(os.path.isdir, lambda _: True)), \
+                mock.patch('saved_maps.os.makedirs', self.hanging(os.makedirs, lambda _: True)):
             saved, _ = self.saved_after_waiting()
         self.assertEqual(saved, Saved.NOWHERE)
         self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
