@@ -47,6 +47,8 @@ class BagMapper:
         """Whether it has ended, or was cut off, and does not listen yet again. One that was never found is never away."""
         if not self.node or self.away_since is None and self.hears(self.node):
             return False
+        if rospy.core.is_shutdown_requested():  # which ends all connections
+            return False
         now = time.monotonic()
         if self.away_since is None:
             self.away_since = now

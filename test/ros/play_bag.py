@@ -183,6 +183,7 @@ class PlayBag(unittest.TestCase):
         self.assertTrue(wait_for(player.has_ended, 20.0))
         rospy.delete_param('/another_player')
         self.assertIn('no map is saved as ' + path, player.said())
+        self.assertNotIn('does not listen', player.said())
         self.assertFalse(os.path.exists(path + '.yaml'))
 
     def test_nothing_is_played_beside_a_robot(self):  # [FLT-1]

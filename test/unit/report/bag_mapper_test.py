@@ -43,6 +43,14 @@ class Mapper(unittest.TestCase):
         self.assertFalse(self.look())
         self.assertFalse(self.mapper.is_lost())
 
+    def test_a_player_that_is_shut_down_misses_nobody(self):
+        self.mapper.find()
+        self.heard_by['clock'].clear()
+        with mock.patch('rospy.core.is_shutdown_requested', return_value=True):
+            self.assertFalse(self.look())
+        rospy.logwarn.assert_not_called()
+        self.assertTrue(self.look())
+
     def test_a_mapper_that_died_is_away_until_another_process_hears_everything(self):  # [FLT-2]
         self.mapper.find()
         self.heard_by['clock'].clear()
