@@ -52,6 +52,7 @@ class BagMapper:
         now = time.monotonic()
         if self.away_since is None:
             self.away_since = now
+            self.disconnect()
             rospy.logwarn('the mapper does not listen any more: the bag waits for it')
         if now >= self.next_look:
             self.next_look = now + LOOK
@@ -59,6 +60,14 @@ class BagMapper:
                 self.away_since = None
                 rospy.loginfo('the mapper listens again: the bag goes on')
         return self.away_since is not None
+
+    def disconnect(self):
+        """Ends what is left of its connections, so that they do not count as those of the next process: rospy notices only when it writes
+        that a reader has died. One that lives connects again."""
+        for publisher in self.publishers:
+            for connection in list(publisher.impl.connections):
+                if connection.endpoint_id == self.node:
+                    publisher.impl.remove_connection(connection)
 
     def is_lost(self):
         """Whether it has been away for so long that nobody will start it again."""

@@ -10,6 +10,23 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 import bag_mapper
 
 
+class Connections:
+    """Of a publisher, by the names of the nodes that hear it."""
+
+    def __init__(self, nodes):
+        self.nodes = nodes
+
+    @property
+    def connections(self):
+        return [mock.Mock(endpoint_id=node) for node in self.nodes]
+
+    def has_connection(self, node):
+        return node in self.nodes
+
+    def remove_connection(self, connection):
+        self.nodes.remove(connection.endpoint_id)
+
+
 class Mapper(unittest.TestCase):
     def setUp(self):
         self.master, self.now = mock.Mock(), 100.0
@@ -23,10 +40,12 @@ class Mapper(unittest.TestCase):
             self.addCleanup(patch.stop)
         self.heard_by = {'clock': {'/mapper'}, 'scan': {'/mapper', '/rviz'}, 'odom': {'/mapper', '/rviz'}}
         self.played = {'scan': 0}
-        self.mapper = bag_mapper.BagMapper(self.played, *map(self.publisher, self.heard_by))
+        publishers = [mock.Mock(impl=Connections(nodes)) for nodes in self.heard_by.values()]
+        self.mapper = bag_mapper.BagMapper(self.played, *publishers)
 
-    def publisher(self, topic):
-        return mock.Mock(**{'impl.has_connection': lambda node: node in self.heard_by[topic]})
+    def listen_again(self, *topics):
+        for topic in topics:
+            self.heard_by[topic].add('/mapper')
 
     def look(self, after=1.0):
         self.now += after
@@ -57,8 +76,9 @@ class Mapper(unittest.TestCase):
         self.assertTrue(self.look())
         self.played['scan'] = 7
         self.master.lookupNode.return_value = 'http://robot:2'
-        self.assertTrue(self.look(), 'it does not hear the clock yet')
-        self.heard_by['clock'].add('/mapper')
+        self.listen_again('clock')
+        self.assertTrue(self.look(), 'what is left of the connections of the dead one does not count')
+        self.listen_again('scan', 'odom')
         self.assertFalse(self.look())
         self.assertEqual((self.mapper.starts, self.mapper.played_before), (1, 7))
 
@@ -66,7 +86,8 @@ class Mapper(unittest.TestCase):
         self.mapper.find()
         self.heard_by['odom'].remove('/mapper')
         self.assertTrue(self.look())
-        self.heard_by['odom'].add('/mapper')
+        self.assertEqual(self.heard_by['scan'], {'/rviz'})
+        self.listen_again('clock', 'scan', 'odom')
         self.assertFalse(self.look())
         self.assertEqual(self.mapper.starts, 0)
         self.mapper.say_loss()
