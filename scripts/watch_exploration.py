@@ -272,6 +272,13 @@ def map_in(text):
     return path
 
 
+def warn_of_a_missing_folder(prefix):
+    folder = os.path.dirname(os.path.abspath(prefix))
+    if prefix and not os.path.isdir(folder):
+        say('watch_exploration: there is no folder %s here; make it before the map is saved, unless the computer of the mapper has it'
+            % folder, sys.stderr)
+
+
 def main():
     parser = CommandLine(__doc__, 'rosrun frontier_pilot watch_exploration.py --map /tmp/floor')
     parser.add_argument('--map', type=map_in, default='', help='where to save it, without extension (maps/<date and time>)')
@@ -291,6 +298,7 @@ def main():
     if not ros_program.begin('watch_exploration', lambda: not interrupt.number and not is_abandoned(parent, began), silent_for=MASTER_START,
                              argv=words, anonymous=True, disable_signals=True):
         return 128 + interrupt.number if interrupt.number else 1
+    warn_of_a_missing_folder(arguments.map)
     watcher = Watcher(arguments.period)
     if arguments.saved_already or arguments.save_at_end:
         return save_at_the_end(watcher, interrupt, arguments.map, arguments.saved_already)

@@ -148,6 +148,15 @@ class Abandoned(unittest.TestCase):
             self.run_it()
         self.assertGreater(self.subscriptions, 3, 'the master may be another one by now')
 
+    def test_it_says_at_the_start_that_the_folder_of_the_map_is_not_there(self):
+        """[FLT-2]"""
+        for path, said in (('/nowhere/floor', '^watch_exploration: there is no folder /nowhere here; .*\n$'), ('/tmp/floor', '^$')):
+            err = io.StringIO()
+            self.parent, self.steps = 7, [(self.clock + 10.0, self.orphan)]
+            with self.subTest(path=path), mock.patch('sys.argv', ['watch_exploration.py', '--map', path]), mock.patch('sys.stderr', err):
+                self.run_it()
+                self.assertRegex(err.getvalue(), said)
+
 
 class TwoSignals(unittest.TestCase):
     def second_after(self, seconds):
