@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """How scripts/run ends when a signal comes while it makes the report."""
+import os
 import pathlib
 import re
 import signal
@@ -10,7 +11,10 @@ import unittest
 
 RUN = pathlib.Path(__file__).resolve().parents[3] / 'scripts/run'
 # The clock of the script stands still, so that no signal comes late on a busy computer.
-BEFORE = 'unset SECONDS; SECONDS=0; set -euo pipefail; root=. claim=claim record=true; say() { echo "$1"; }\n'
+PATIENT = 'unset SECONDS; SECONDS=0; say() { echo "$1"; }\n'
+# Each word takes so long that the first signal after it is an impatient one.
+IMPATIENT = 'say() { echo "$1"; SECONDS=$((SECONDS + 2)); }\n'
+BEFORE = 'set -euo pipefail; root=. claim=claim record=true\n'
 AFTER = '\nlogs=. log=log; heed_signals; trap end_by_itself EXIT; exit "$1"'
 # In place of scripts/report: it ends when a file `enough` is there.
 REPORT = '''#!/bin/bash
@@ -27,15 +31,15 @@ class RunEnd(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         (self.folder / 'recorded').symlink_to(self.folder)
-        report = self.folder / 'scripts/report'
-        report.parent.mkdir()
-        report.write_text(REPORT)
-        report.chmod(0o755)
+        self.report = self.folder / 'scripts/report'
+        self.report.parent.mkdir()
+        self.report.write_text(REPORT)
+        self.report.chmod(0o755)
 
-    def making_the_report(self, code):
+    def making_the_report(self, code, clock=PATIENT):
         """The end of the script after an exploration that ended with this code, and the number of the process that makes its report."""
         functions = re.search(r'^launch=0 watch=0.*?(?=^hold_signals\n)', RUN.read_text(), re.M | re.S).group()
-        script = subprocess.Popen(['bash', '-c', BEFORE + functions + AFTER, 'run', str(code)], cwd=self.folder, text=True,
+        script = subprocess.Popen(['bash', '-c', clock + BEFORE + functions + AFTER, 'run', str(code)], cwd=self.folder, text=True,
                                   preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         number = self.folder / 'number'
@@ -70,6 +74,14 @@ class RunEnd(unittest.TestCase):
         subprocess.run(['kill', '-HUP', str(report)], check=True)
         code, _, err = self.ended(script)
         self.assertEqual((code, err), (129, "scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n"))
+
+    def test_it_ends_although_the_report_cannot_be_killed(self):
+        """[FLT-1]"""
+        script, report = self.making_the_report(0, IMPATIENT + 'kill() { [ "$1" = -0 ] || return 0; command kill "$@"; }\n')
+        self.addCleanup(os.kill, report, signal.SIGKILL)
+        script.send_signal(signal.SIGINT)
+        code, _, err = self.ended(script)
+        self.assertEqual((code, err), (130, "scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n"))
 
 
 if __name__ == '__main__':
