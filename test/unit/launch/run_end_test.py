@@ -75,6 +75,15 @@ class RunEnd(unittest.TestCase):
         code, _, err = self.ended(script)
         self.assertEqual((code, err), (129, "scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n"))
 
+    def test_a_page_that_was_made_when_somebody_did_not_wait_for_it_is_named(self):
+        for at_sigterm, code, said in (('echo page.html; exit', 130, 'Report: page.html'), ('exit 143', 130, 'Making the report ...')):
+            with self.subTest(at_sigterm=at_sigterm):
+                self.report.write_text(REPORT.replace("trap 'exit 129' HUP", "trap '%s' TERM" % at_sigterm))
+                script, _ = self.making_the_report(0, IMPATIENT)
+                script.send_signal(signal.SIGINT)
+                self.assertEqual(self.ended(script)[:2], (code, said))
+                (self.folder / 'number').unlink()
+
     def test_it_ends_although_the_report_cannot_be_killed(self):
         """[FLT-1]"""
         script, report = self.making_the_report(0, IMPATIENT + 'kill() { [ "$1" = -0 ] || return 0; command kill "$@"; }\n')
