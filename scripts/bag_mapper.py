@@ -95,6 +95,7 @@ class BagMapper:
             return
         taken = self.taken()
         rospy.logwarn('the mapper ended %s while the bag was played, and was started again: the map lacks the scans between its last copy '
-                      'and its end, about two seconds of real time, and those refused since: of %d scans it has taken %s',
+                      'and its end, about two seconds of real time, and those refused since: of %d scans '
+                      'played since it was back it has taken %s',
                       'once' if self.starts == 1 else '%d times' % self.starts, self.played['scan'] - self.played_before,
                       'an unknown number' if taken is None else taken)

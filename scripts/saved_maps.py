@@ -50,8 +50,8 @@ class Saved(enum.Enum):
 
 def save_map(prefix, beside=False):
     """Has the mapper save the map, `beside` one of that name if there is one, and prints where it is, or why it is not: if that fails
-    it is asked once more, as it may just have been started again, and then for another folder, because the map is lost when it ends. A
-    disk that does not answer is not tried again."""
+    it is asked once more, as it may just have been started again, and then for another folder, because the map is lost when it ends. If
+    this computer's disk or the mapper does not answer at all, the other folder is next."""
     spare = os.path.abspath(os.path.join(rospkg.get_ros_home(), 'frontier_pilot', 'maps'))
     def wanted():
         return (free_prefix(prefix) if prefix and beside else prefix) or default_prefix()

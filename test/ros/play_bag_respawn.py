@@ -46,7 +46,7 @@ class PlayBagRespawn(unittest.TestCase):
         said = player.said()
         self.assertEqual(0, player.process.returncode, said)
         self.assertIn('Map saved', said)
-        counts = re.search('the mapper ended once while the bag was played.* of ([0-9]+) scans it has taken ([0-9]+)', said)
+        counts = re.search('the mapper ended once while the bag was played.* of ([0-9]+) scans played since it was back it has taken ([0-9]+)', said)
         self.assertTrue(counts, said)
         played, taken = map(int, counts.groups())
         self.assertGreater(played, 80)
