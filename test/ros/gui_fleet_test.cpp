@@ -79,8 +79,11 @@ class FleetOnTheWire : public ::testing::Test {
 
 // [GUI-1] [GUI-3]
 TEST_F(FleetOnTheWire, DrivesTheRobotThatWasChosenAlone) {
-  click("Go");
-  EXPECT_TRUE(waitFor([&] { return one_.forward > 0.04; }));
+  // A window that took long to be drawn takes no click for a moment, as after a freeze.
+  EXPECT_TRUE(waitFor([&] {
+    if (one_.forward == 0.0) click("Go");
+    return one_.forward > 0.04;
+  }));
   click("robot_robot2");
   EXPECT_TRUE(waitFor([&] {
     return one_.forward == 0.0 && window_.shown() == "robot2" && driver() == "manual holds the robot still";
