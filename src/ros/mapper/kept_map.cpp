@@ -115,7 +115,7 @@ std::string setAside(const fs::path& base) {
 
 std::string whereItIs(const std::string& lost) {
   const fs::path folder = fs::path(lost).parent_path();
-  const std::string words = "mapper/load_map may still read " + lost;
+  std::string words = "mapper/load_map may still read " + lost;
   if (folder.filename() != "lost." + std::to_string(kMostLost)) return words;
   return words + ", the last of " + std::to_string(kMostLost) +
          " folders, where each map that is put aside replaces the one before it: remove from " +
