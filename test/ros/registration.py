@@ -4,7 +4,6 @@ import glob
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 import threading
 import time
@@ -19,17 +18,13 @@ import rosgraph
 import rospy
 import rostest
 
-from wire import free_port, use_a_home_of_its_own, wait_for
+from wire import Stranger, free_port, use_a_home_of_its_own, wait_for
 
 Answer = namedtuple('Answer', 'success message')
 
-# A node of another program: a second node of ours does not start.
 OFFERS = """
-import rospy
 from std_srvs.srv import Trigger
-rospy.init_node('second')
 service = rospy.Service('%s', Trigger, lambda _: (True, ''))
-rospy.spin()
 """
 
 
@@ -332,11 +327,9 @@ class Registration(unittest.TestCase):
         service = '/waypoint_follower/clear'
         self.node('waypoint_follower')
         self.assertTrue(wait_for(lambda: service in self.services(), 20.0))
-        second = subprocess.Popen([sys.executable, '-c', OFFERS % service], env=self.environment)
-        self.processes.append(second)
+        second = Stranger(self, 'second', OFFERS % service, self.environment)  # a second node of ours does not start
         self.assertTrue(wait_for(lambda: self.services()[service] == ['/second'], 20.0), self.services().get(service))
-        second.send_signal(signal.SIGINT)
-        second.wait(10.0)
+        second.end()
         self.assertTrue(wait_for(lambda: self.services().get(service) == ['/waypoint_follower'], 10.0), '[FLT-1]')
 
     # [FLT-1]

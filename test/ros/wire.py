@@ -163,10 +163,11 @@ class Node:
 
 
 class Stranger:
-    """A node of another program, in a process of its own, which ends with `test` at the latest."""
+    """A node of another program, in a process of its own, which ends with `test` at the latest. `does` are lines of Python."""
 
-    def __init__(self, test, name):
-        self.process = subprocess.Popen([sys.executable, '-c', "import rospy; rospy.init_node('%s'); rospy.spin()" % name])
+    def __init__(self, test, name, does='', environment=None):
+        program = "import rospy\nrospy.init_node('%s')\n%s\nrospy.spin()" % (name, does)
+        self.process = subprocess.Popen([sys.executable, '-c', program], env=environment)
         test.addCleanup(self.end)
 
     def end(self):

@@ -127,12 +127,17 @@ std::optional<std::string> MapAutosave::otherMapFile() const {
   return is_of_another && find() ? pose->map_file : std::nullopt;
 }
 
-std::string MapAutosave::putAside() {
+/// Moves the files, not the pose. Returns their new base; empty if they could not be moved.
+std::string MapAutosave::moveAside() {
   const std::optional<fs::path> base = find();
   std::string lost = base ? kept_map::setAside(*base) : std::string();
-  if (lost.empty()) return lost;
-  memory_.forget();
-  replaced_.forget();
+  if (!lost.empty()) replaced_.forget();
+  return lost;
+}
+
+std::string MapAutosave::putAside() {
+  std::string lost = moveAside();
+  if (!lost.empty()) memory_.forget();
   return lost;
 }
 
@@ -241,9 +246,7 @@ void MapAutosave::noteMapping(std::uint64_t content, SteadyTime now) {
 }
 
 void MapAutosave::lose(const std::string& why) {
-  const std::optional<fs::path> base = find();
-  const std::string lost = base ? kept_map::setAside(*base) : std::string();
-  if (!lost.empty()) replaced_.forget();
+  const std::string lost = moveAside();
   loss_ = lost.empty() ? why
                        : why + "; its files are kept, of which the picture is read if the .bt is moved away: " +
                              kept_map::whereItIs(lost);

@@ -103,6 +103,7 @@ class MapAutosave {
   /// Takes over how the save has ended that was begun last.
   void noteEnd();
   std::string textOf(const MapPose& pose) const { return toText({pose, map_file_}); }
+  std::string moveAside();
   /// Removes the copy that was given up. Returns why it could not be; nothing if the disk does not answer.
   std::optional<std::string> discardUnwanted();
   void noteMapping(std::uint64_t content, SteadyTime now);

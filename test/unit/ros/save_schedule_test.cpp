@@ -63,7 +63,7 @@ TEST(SaveSchedule, TriesAgainAfterAFailureAndKeepsTheCopyOfBefore_FLT_2) {
   EXPECT_TRUE(schedule.isDue(2, at(210)));
 }
 
-// Of a disk that does not answer nobody would know. [FLT-2]
+// Otherwise nobody would know of a disk that does not answer. [FLT-2]
 TEST(SaveSchedule, SaysWhenASaveDoesNotEnd_FLT_2) {
   SaveSchedule schedule = withCopy();
   EXPECT_EQ(schedule.delay(at(5000)), "");
