@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Maps in few bytes on the wire: who reads and who publishes `map_changes`, and who falls back on `map`. [MUL-1]"""
 import unittest
+from xmlrpc.client import ServerProxy
 
+import rosgraph
 import rospy
 import rostest
 from map_msgs.msg import OccupancyGridUpdate
@@ -133,6 +135,21 @@ class MapChangesOnTheWire(unittest.TestCase):
         foreign = rospy.Publisher('only/map', OccupancyGrid, queue_size=1, latch=True)
         self.addCleanup(foreign.unregister)
         foreign.publish(grid)
+        self.assertTrue(wait_for(lambda: self.has_wall(80), 20.0), self.node.said())
+
+    def test_a_map_that_came_before_the_end_of_the_changes_is_asked_for_again(self):
+        """The master's list of publishers may be known earlier than the master's word to the subscriber."""
+        master = rosgraph.Master(rospy.get_name())
+        merger = ServerProxy(master.lookupNode('/map_merger'))
+        master.unregisterPublisher('/only/map_changes', rospy.get_node_uri())
+        self.assertTrue(wait_for(lambda: self.mapper.changes.get_num_connections() == 0))
+        merger.publisherUpdate('/master', '/only/map_changes', [rospy.get_node_uri()])
+        self.assertTrue(wait_for(lambda: self.mapper.greeter.count == 2))
+        self.mapper.build_a_wall(80, lose=True)
+        self.mapper.maps.publish(self.mapper.grid)
+        self.assertTrue(wait_for(lambda: self.mapper.maps.get_num_connections() == 1, 20.0), self.node.said())
+        rospy.sleep(1.0)  # the latched map is sent, and left aside
+        merger.publisherUpdate('/master', '/only/map_changes', [])
         self.assertTrue(wait_for(lambda: self.has_wall(80), 20.0), self.node.said())
 
     def test_malformed_changes_are_refused_and_the_map_stays(self):

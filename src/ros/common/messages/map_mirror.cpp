@@ -97,7 +97,10 @@ void MapMirror::own(const std::string& publisher, const std_msgs::Header& header
 
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (way_ == Way::kCompact && publisher == owner_.name()) return;
+  if (way_ == Way::kCompact && publisher == owner_.name()) {
+    left_map_aside_ = true;
+    return;
+  }
   if (!admits(publisher)) return;
   std::string why;
   auto map = toOccupancyGrid(msg, &why);

@@ -147,6 +147,7 @@ class MapMirror {
   NodeConnections* connections_ = nullptr;  ///< null before `subscribe`
   ros::Subscriber map_subscriber_, updates_subscriber_, changes_subscriber_;
   bool refused_a_map_ = false;  ///< since the map was last asked for, or last came from its owner
+  bool left_map_aside_ = false;  ///< since `map` was last subscribed to: its owner also sent `map_changes`
 };
 
 }  // namespace frontier_pilot

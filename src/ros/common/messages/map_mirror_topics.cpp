@@ -40,6 +40,7 @@ void MapMirror::subscribe(NodeConnections& connections, const std::string& frame
 }
 
 void MapMirror::listenToMap() {
+  left_map_aside_ = false;
   map_subscriber_.shutdown();
   updates_subscriber_.shutdown();
   map_subscriber_ = connections_->subscribeToEvents<nav_msgs::OccupancyGrid>(
@@ -74,7 +75,9 @@ void MapMirror::chooseTopics(const MasterWatch& master) {
   if (changes_subscriber_.getNumPublishers() == 0 && !isAsking()) way_ = Way::kPlain;
   const bool wants_map = way_ == Way::kPlain || isOfferedPlain(master);
   const bool asks = way_ == Way::kCompact && lacks_changes_ && steadyNow() - asked_ > kBetweenQuestions;
-  const bool listens = map_subscriber_;
+  // A map that was left aside is sent once only; without `map_changes`, it is the one that is needed.
+  const bool lacks_map = way_ == Way::kPlain && left_map_aside_;
+  const bool listens = map_subscriber_ && !lacks_map;
   if (wants_map == listens && !asks) return;
   if (!masterAnswers()) return;  // each of these would wait for it
   if (asks) {
