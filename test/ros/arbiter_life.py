@@ -13,6 +13,7 @@ import unittest
 import xmlrpc.client
 
 import rosgraph
+import rosnode
 import rospkg
 import rospy
 import rostest
@@ -35,14 +36,18 @@ class ArbiterLife(unittest.TestCase):
         return node
 
     # [ARB-11]
-    def test_the_last_words_are_zeros_on_sigint_and_sigterm(self):
-        for number in [signal.SIGINT, signal.SIGTERM]:
+    def test_the_last_words_are_zeros_on_sigint_sigterm_and_rosnode_kill(self):
+        def kill(node, name):
+            self.assertEqual(rosnode.kill_nodes([name]), ([name], []))
+
+        ways = [lambda node, name: node.signal(signal.SIGINT), lambda node, name: node.signal(signal.SIGTERM), kill]
+        for number, end in enumerate(ways):
             namespace = '/last_words_%d' % number
             out = Record(namespace + '/cmd_vel', Twist)
             node = self.arbiter(namespace)
             nav = Source(namespace + '/cmd_vel_nav', 200.0).connect().start(0.1)
             self.assertTrue(wait_for(lambda: out.last is not None and moves(out.last)))
-            node.signal(number)
+            end(node, namespace + '/cmd_vel_arbiter')
             code, said = node.finish()
             self.assertEqual(code, 0, said)
             nav.close()

@@ -60,7 +60,7 @@ class ExplorerDeath(ExplorerCase):
         node.finish()
 
     def end_in_order(self):
-        """As rosnode kill does."""
+        """As Ctrl-C and `rosnode kill` do."""
         self.node.signal(signal.SIGTERM)
         self.node.finish()
         self.stand()

@@ -3,6 +3,7 @@
 import signal
 import unittest
 
+import rosnode
 import rospy
 import rostest
 import tf2_ros
@@ -16,8 +17,16 @@ from wire import Node, Record, moves, wait_for
 
 START = (0.7, 0.8)  # in the world; the origin of map and odom
 FAR = (3.3, 2.4)    # in the other room
-ROUNDS = 5          # what is lost by chance is not lost every time
-SIGNALS = [signal.SIGINT, signal.SIGHUP]  # Ctrl-C, and the end of the terminal
+ROUNDS = 6          # what is lost by chance is not lost every time
+
+
+def end(node, name, number):
+    """By Ctrl-C, by the end of the terminal, or by `rosnode kill`."""
+    way = number % 3
+    if way == 2:
+        rosnode.kill_nodes([name])
+    else:
+        node.signal([signal.SIGINT, signal.SIGHUP][way])
 
 
 class LastWords(unittest.TestCase):
@@ -69,7 +78,7 @@ class LastWords(unittest.TestCase):
             goals.publish(goal)
             heard = []
             self.assertTrue(wait_for(lambda: heard.extend(commands.arrived()) or (heard and moves(heard[-1])), 20.0))
-            navigator.signal(SIGNALS[i % len(SIGNALS)])
+            end(navigator, '/' + name, i)
             heard += commands.until_closed(10.0)
             self.assertFalse(moves(heard[-1]), 'round %d: %s' % (i, heard[-1]))
             self.assertEqual(navigator.finish()[0], 0)
@@ -85,7 +94,7 @@ class LastWords(unittest.TestCase):
             self.assertTrue(wait_for(lambda: goals.last is not None, 30.0))
             cancels = self.tap('/' + name, '/move_base/cancel', GoalID)
             latest = goals.last.goal_id.id
-            explorer.signal(SIGNALS[i % len(SIGNALS)])
+            end(explorer, '/' + name, i)
             cancelled = [cancel.id for cancel in cancels.until_closed(10.0)]
             goals.subscriber.unregister()
             self.assertTrue(cancelled, 'round %d' % i)

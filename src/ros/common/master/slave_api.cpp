@@ -7,7 +7,10 @@
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <unistd.h>
+
 #include <atomic>
+#include <csignal>
 #include <string>
 
 #include "ros/common/master/registration.h"
@@ -55,14 +58,16 @@ bool isMeantForAnotherNode(const std::string& reason) {
   return end != std::string::npos && reason.substr(0, end) != "[" + ros::this_node::getName();
 }
 
-/// `arguments` are the caller's name and why this node is to end, which roscpp only logs.
+/// `arguments` are the caller's name and why this node is to end, which roscpp only logs. The node ends as it does on a
+/// signal, with its last words: roscpp's own shutdown closes the publishers first. The signal is sent to the process,
+/// because roscpp's thread, which runs this, takes none.
 void shutDown(Value& arguments, Value& result) {
   if (arguments.getType() != Value::TypeArray || arguments.size() < 2) return refuse(result, "no reason is given");
   const std::string reason = arguments[1];
   if (isMeantForAnotherNode(reason)) return refuse(result, "this is " + ros::this_node::getName());
   ROS_WARN_STREAM("ROS shuts this node down: " << reason);
   if (reason.find("new node registered with same name") != std::string::npos) g_replaced = true;
-  ros::requestShutdown();
+  kill(getpid(), SIGTERM);
   result[0] = 1;
   result[1] = std::string();
   result[2] = 0;
