@@ -15,6 +15,7 @@ from run_recording import free_name
 
 DISK = 10.0  # [s], for which a disk is waited for that may only have to wake up
 MAPPER = 35.0  # [s], a little longer than the mapper waits for a disk, and before that for its map
+RESTART = 30.0  # [s], for which a mapper is waited for that died and is started again
 
 
 def default_prefix(folder='maps'):
@@ -106,7 +107,7 @@ def ask_to_save(path_of, otherwise):
             raise
         path = otherwise
     try:
-        rospy.wait_for_service('mapper/save_map', timeout=10.0)
+        rospy.wait_for_service('mapper/save_map', timeout=RESTART)
         answer = within(MAPPER, 'the mapper', rospy.ServiceProxy('mapper/save_map', SaveMap), path)
         if not answer.success:
             raise NotSaved(answer.message)

@@ -54,6 +54,15 @@ class SavedMaps(unittest.TestCase):
         self.assertEqual(self.asked, ['/tmp/floor', '/tmp/floor'])
         self.assertIn('The map could not be saved: the service has gone; it is tried once more\n', self.out.getvalue())
 
+    def test_a_mapper_that_takes_a_while_to_be_started_again_is_waited_for(self):
+        """[FLT-2]"""
+        def come_after(seconds, timeout):
+            if timeout < seconds:
+                raise rospy.ROSException('timeout exceeded while waiting for service')
+        self.await_service.side_effect = lambda _, timeout: come_after(15.0, timeout)
+        self.assertEqual(saved_maps.save_map('/tmp/floor'), Saved.WHERE_ASKED, self.out.getvalue())
+        self.assertEqual(self.asked, ['/tmp/floor'])
+
     def test_a_map_that_cannot_be_written_where_it_was_to_be_is_saved_below_ros_home(self):
         """[FLT-2]"""
         for prefix in os.path.join(self.folder, 'floor'), '':
