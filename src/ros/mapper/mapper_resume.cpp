@@ -70,12 +70,13 @@ void MapperAdapter::sayLastWords() {
 /// A map that could not be saved where somebody wanted it stays in the copy, put aside so that no mapper goes on with
 /// it by itself. Returns whether there is such a copy.
 bool MapperAdapter::leaveUnsaved() {
-  const std::string why = saver_.saves().whyNotSaved();
-  if (why.empty()) return false;
+  if (saver_.saves().whyNotSaved().empty()) return false;
   if (ros::ok()) {  // else the threads that save have ended
     autosave();
     awaitAutosave();
   }
+  const std::string why = saver_.saves().whyNotSaved();
+  if (why.empty()) return false;  // it has been saved meanwhile
   const auto lost = autosave_.leave(std::chrono::seconds(3));
   if (lost && lost->empty()) return false;
   ROS_WARN_STREAM("the map was not saved, "

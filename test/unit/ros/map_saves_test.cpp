@@ -6,8 +6,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "ros/common/clock.h"
@@ -21,6 +24,19 @@ using map_files::MapIoStatus;
 constexpr Duration kVeryLong = std::chrono::seconds(60);
 
 MapIoResult succeed() { return {MapIoStatus::kOk, "saved"}; }
+
+/// In place of the thread of a service: the node ends before it takes up the question.
+struct ThreadOfANodeThatEnds {
+  template <class Answer>
+  std::optional<Answer> ask(const std::function<Answer(int&)>& /*question*/) {
+    said_last = saves.whyNotSaved();
+    return std::nullopt;
+  }
+  static std::string whyNot(const std::string& node, const std::string& /*what*/) { return node + " is shut down"; }
+
+  const MapSaves& saves;
+  std::string said_last;
+};
 
 class MapSavesToADiskThatHangs : public ::testing::Test {
  protected:
@@ -140,6 +156,25 @@ TEST(MapSaves, LeaveTheMapUnsavedThatCouldNotBeWrittenUntilOneIs_FLT_2) {
   EXPECT_EQ(saves.whyNotSaved(), "the disk is full");
   saves.run("/full/floor", []() -> MapIoResult { throw std::runtime_error("no memory"); });
   EXPECT_EQ(saves.whyNotSaved(), "no memory");
+  EXPECT_TRUE(saves.run("/there/floor", succeed).ok());
+  EXPECT_EQ(saves.whyNotSaved(), "");
+}
+
+// The node then says its last words, and its copy would be removed. [FLT-2]
+TEST(MapSaves, LeaveTheMapUnsavedThatTheNodeHasNotHandedOver_FLT_2) {
+  MapSaves saves(kVeryLong);
+  ThreadOfANodeThatEnds thread{saves, {}};
+  const auto copy = [](const int& map) { return map; };
+  const auto save = [](const int&) { return ADD_FAILURE(), succeed(); };
+  EXPECT_EQ((saveCopy<int, int>(thread, saves, "/there/floor", "mapper", copy, save).text), "mapper is shut down");
+  EXPECT_EQ(thread.said_last, "saving to /there/floor was not begun");
+  EXPECT_EQ(saves.whyNotSaved(), "mapper is shut down");
+}
+
+// [FLT-2]
+TEST(MapSaves, ThatAreBegunWereExpectedInVainNoMore_FLT_2) {
+  MapSaves saves(kVeryLong);
+  saves.expect("/there/floor");
   EXPECT_TRUE(saves.run("/there/floor", succeed).ok());
   EXPECT_EQ(saves.whyNotSaved(), "");
 }

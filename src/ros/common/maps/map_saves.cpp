@@ -74,6 +74,10 @@ MapIoResult MapSaves::refuse(const std::string& why) {
   return {MapIoStatus::kCannotWrite, why};
 }
 
+void MapSaves::expect(const std::string& path) {
+  refuse("saving to " + printable(path, bounds::kMostLine) + " was not begun");
+}
+
 MapIoResult MapSaves::run(const std::string& path, const std::function<MapIoResult()>& save) {
   PatientThread thread(patience_);
   std::unique_lock<std::mutex> lock(state_->mutex);

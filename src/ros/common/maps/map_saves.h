@@ -13,7 +13,6 @@
 
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/map_files/map_io.h"
-#include "ros/common/threads/service_thread.h"
 
 namespace frontier_pilot {
 
@@ -28,6 +27,8 @@ class MapSaves {
 
   /// Why no map is saved to `path` now: one to the same folder hangs, or too many are under way. Empty if one is.
   std::string refusal(const std::string& path) const;
+  /// A map is to be saved to `path`: until that is begun, or refused, it is not saved.
+  void expect(const std::string& path);
   /// What `save` gives, which writes the map to `path` and owns all that it uses; or that it has not ended in time,
   /// and goes on. A save to the same path that is under way is waited for, as long.
   map_files::MapIoResult run(const std::string& path, const std::function<map_files::MapIoResult()>& save);
@@ -47,7 +48,7 @@ class MapSaves {
   struct State {
     std::mutex mutex;
     std::condition_variable ended;
-    std::uint64_t begun = 0;                  ///< saves, and those that were refused
+    std::uint64_t begun = 0;                  ///< saves, and those that were expected or refused
     std::map<std::uint64_t, Save> under_way;  ///< by number, so that the oldest is the first
     std::string last;                         ///< why the last one is not saved; empty if it is
   };
@@ -60,14 +61,15 @@ class MapSaves {
   const std::shared_ptr<State> state_ = std::make_shared<State>();
 };
 
-/// Saves to `path` the copy of the map that the node's thread hands over, on one of the threads of its service; `node`
-/// names it in words.
-template <class Copy, class Subject>
-map_files::MapIoResult saveCopy(ServiceThread<Subject>& thread, MapSaves& saves, const std::string& path,
-                                const std::string& node, Copy (*copy)(const Subject&),
+/// Saves to `path` the copy of the map that the node's thread hands over, on one of the threads of its service, a
+/// ServiceThread; `node` names it in words.
+template <class Copy, class Subject, class Thread>
+map_files::MapIoResult saveCopy(Thread& thread, MapSaves& saves, const std::string& path, const std::string& node,
+                                Copy (*copy)(const Subject&),
                                 const std::function<map_files::MapIoResult(const Copy&)>& save) {
   const std::string refusal = saves.refusal(path);  // before a large map is copied
   if (!refusal.empty()) return saves.refuse(refusal);
+  saves.expect(path);  // the node may end before it takes the question up
   using Shared = std::shared_ptr<const Copy>;
   const auto copied =
       thread.template ask<Shared>([copy](Subject& subject) { return std::make_shared<const Copy>(copy(subject)); });
