@@ -195,6 +195,20 @@ class MapperAutosave(MapperCase):
         self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0))
         self.assertGreater(self.known(), 0.95 * before, '[MAP-5]')
 
+    def test_a_map_that_a_run_promised_to_save_and_did_not_outlives_the_end(self):  # [FLT-2] [MAP-5]
+        for is_saved in True, False:
+            mapper = Node('mapper', environment=dict(os.environ, FRONTIER_PILOT_RUN='/proc/nowhere'))
+            self.addCleanup(mapper.end)
+            self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+            if is_saved:
+                self.assertTrue(call('mapper/save_map', SaveMap, os.path.join(os.environ['ROS_HOME'], 'floor')).success)
+            mapper.signal(signal.SIGINT)
+            _, said = mapper.finish(30.0)
+            kept = re.search(r'the map was not saved, because the run ended .*: map_file:=(\S+)\.yaml begins with it', said)
+            self.assertEqual(bool(kept), not is_saved, said)
+            self.forget_the_map()
+        self.assertTrue(os.path.exists(kept.group(1) + '.bt'), kept.group(1))
+
 
 if __name__ == '__main__':
     use_a_home_of_its_own()

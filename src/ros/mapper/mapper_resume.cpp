@@ -2,6 +2,7 @@
 #include <ros/console.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +16,16 @@
 #include "ros/mapper/mapper_adapter.h"
 
 namespace frontier_pilot {
+namespace {
+
+/// Why the map is only in the copy although it was wanted elsewhere: somebody had it saved in vain, or scripts/run,
+/// which saves it before it ends this node, did not come to that. Empty if it was saved, or nobody wanted it.
+std::string whyUnsaved(const MapSaves& saves) {
+  const bool is_promised = std::getenv("FRONTIER_PILOT_RUN") != nullptr;  // set by scripts/run
+  return is_promised && !saves.wasAsked() ? "because the run ended before that" : saves.whyNotSaved();
+}
+
+}  // namespace
 
 void MapperAdapter::restore() {
   Restored restored{occupancy::OccupancyMap(parameters_.mapper.map), {}};
@@ -56,7 +67,10 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
 }
 
 void MapperAdapter::sayLastWords() {
-  if (restored_) return;  // nobody has continued with the copy that is there
+  if (restored_) {
+    ROS_WARN("the map that the mapper had when it died is kept: no odometry came by which it could continue with it");
+    return;
+  }
   if (nameIsTaken()) {
     ROS_WARN("another process took this node's name: the map is left for the mapper that is started after it");
     return;
@@ -70,12 +84,12 @@ void MapperAdapter::sayLastWords() {
 /// A map that could not be saved where somebody wanted it stays in the copy, put aside so that no mapper goes on with
 /// it by itself. Returns whether there is such a copy.
 bool MapperAdapter::leaveUnsaved() {
-  if (saver_.saves().whyNotSaved().empty()) return false;
+  if (whyUnsaved(saver_.saves()).empty()) return false;
   if (ros::ok()) {  // else the threads that save have ended
     autosave();
     awaitAutosave();
   }
-  const std::string why = saver_.saves().whyNotSaved();
+  const std::string why = whyUnsaved(saver_.saves());
   if (why.empty()) return false;  // it has been saved meanwhile
   const auto lost = autosave_.leave(std::chrono::seconds(3));
   if (lost && lost->empty()) return false;

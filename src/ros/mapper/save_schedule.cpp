@@ -6,7 +6,9 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr int kRest = 20;  // pause after saving, in multiples of the time that saving took
+// Pauses, in multiples of the time that saving took. One that failed may have waited for a disk that is free again.
+constexpr int kRest = 20;
+constexpr int kRestAfterFailure = 3;
 constexpr Duration kLong = std::chrono::seconds(30);
 
 }  // namespace
@@ -23,7 +25,7 @@ void SaveSchedule::begin(std::uint64_t content, SteadyTime now) {
 void SaveSchedule::end(bool saved, SteadyTime at, Duration took) {
   begun_.reset();
   if (!content_) return;  // it was discarded meanwhile
-  next_ = at + kRest * took;
+  next_ = at + (saved ? kRest : kRestAfterFailure) * took;
   if (saved) {
     has_copy_ = true;
   } else {

@@ -9,7 +9,7 @@
 namespace frontier_pilot {
 
 /// When the copy of the map is to be written anew: when the map has changed, one save at a time, and so seldom that
-/// saving takes a twentieth of the time at most. [FLT-2]
+/// saving takes a twentieth of the time at most, or a quarter while it fails. [FLT-2]
 class SaveSchedule {
  public:
   /// Whether a map with this `content`, which counts its changes, is to be saved now.
