@@ -60,6 +60,16 @@ class Tap:
             messages += self.arrived()
         return messages
 
+    def next(self, count, timeout=10.0):
+        """The next messages that arrive, at least so many, which must come in this time."""
+        messages, end = [], time.monotonic() + timeout
+        while len(messages) < count:
+            left = end - time.monotonic()
+            assert left > 0.0, 'only %d messages of %d have arrived' % (len(messages), count)
+            select.select([self._socket], [], [], left)
+            messages += self.arrived()
+        return messages
+
     def until_closed(self, timeout):
         """Every message that arrives before the publisher closes the connection, which it must do in this time."""
         end = time.monotonic() + timeout
