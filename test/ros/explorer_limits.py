@@ -232,6 +232,7 @@ class ExplorerLimits(ExplorerCase):
         self.assertTrue(wait_for(lambda: not self.is_at_start()))
         self.assertTrue(call('set_exploration_enabled', SetBool, False).success)
         self.expect_reason(Status.PAUSED)
+        self.assertTrue(wait_for(lambda: not self.robot.drives()), 'its goal is taken back')
         goals, position = len(self.robot.goals), self.robot.position
         heard, time = len(self.status.items), self.status.last.exploring_time
         self.assertTrue(wait_for(lambda: len(self.status.items) > heard + 2))
