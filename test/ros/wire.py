@@ -1,6 +1,7 @@
 """What the wire tests of arbiter and avoider share: a condition to wait on instead of sleeping, and nodes to kill."""
 import atexit
 import functools
+import math
 import os
 import select
 import shutil
@@ -33,6 +34,12 @@ def wait_for(condition, timeout=10.0):
         with _changed:
             _changed.wait(min(left, 0.02))
     return True
+
+
+def time_until(condition, timeout=10.0):
+    """How long it takes until `condition()` is true [s]; infinite if longer than `timeout`."""
+    start = time.monotonic()
+    return time.monotonic() - start if wait_for(condition, timeout) else math.inf
 
 
 class Record:
