@@ -48,7 +48,8 @@ class MapperResume(MapperCase):
         mapper = self.start('_autosave_period:=6')
         self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps() and
                                                           os.path.exists(newest_map())), 20.0))
-        self.drive()  # meanwhile the save ends
+        saved = os.stat(newest_map()).st_mtime_ns
+        self.assertTrue(wait_for(lambda: self.drive() or os.stat(newest_map()).st_mtime_ns > saved), 'renewed once the save has ended')
         self.jump = JUMP
         self.assertTrue(wait_for(lambda: self.say_where() and self.has_jumped(), 10.0), self.corrections()[-1:])
         self.kill(mapper)
