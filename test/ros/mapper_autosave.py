@@ -25,7 +25,7 @@ class MapperAutosave(MapperCase):
         mapper = Node('mapper', file)
         self.assertTrue(call('mapper/reset', Trigger).success)
         self.addCleanup(lambda: mapper.end())
-        written, end = set(), time.monotonic() + 20.0
+        written, end = set(), time.monotonic() + 60.0  # it rests for 20 times as long as a save takes
         while time.monotonic() < end and len(written) < 4:
             self.drive()
             written |= kept_maps()
