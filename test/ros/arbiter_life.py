@@ -22,7 +22,7 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_srvs.srv import SetBool, Trigger
 
-from wire import SANITIZED, Node, Record, Source, call, find_node, moves, twist, wait_for
+from wire import SANITIZED, Node, Record, Source, call, find_node, free_port, moves, twist, wait_for
 
 
 def let_no_file_grow():
@@ -257,9 +257,7 @@ class ArbiterLife(unittest.TestCase):
     # [ARB-12]
     def test_an_arbiter_that_is_only_registered_any_more_ends_nobody(self):
         ghost = rosgraph.Master('/haunted/a_ghost')
-        with socket.socket() as closed:
-            closed.bind(('127.0.0.1', 0))
-            uri = 'http://127.0.0.1:%d/' % closed.getsockname()[1]
+        uri = 'http://127.0.0.1:%d/' % free_port()
         ghost.registerPublisher('/haunted/cmd_vel_arbiter/status', ArbiterStatus._type, uri)
         ghost.registerService('/haunted/emergency_stop', uri.replace('http', 'rosrpc'), uri)
         status = Record('/haunted/cmd_vel_arbiter/status', ArbiterStatus)

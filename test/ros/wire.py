@@ -3,10 +3,10 @@ import atexit
 import functools
 import math
 import os
+import pathlib
 import select
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -19,6 +19,9 @@ import roslib.packages
 import rospy
 from geometry_msgs.msg import Twist
 from std_srvs.srv import SetBool, Trigger
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / 'scripts'))
+from run_attack.processes import free_port  # noqa: E402, F401: for the tests
 
 _changed = threading.Condition()
 
@@ -112,13 +115,6 @@ class Source:
 
 
 @functools.lru_cache()
-def free_port():
-    """A port of the loopback interface at which nobody listens."""
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
-
-
 def find_node(package, executable):
     return roslib.packages.find_node(package, executable)[0]
 
