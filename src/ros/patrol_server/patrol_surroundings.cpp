@@ -21,6 +21,7 @@ PatrolSurroundings::PatrolSurroundings(const PatrolSurroundingsParameters& param
 
 void PatrolSurroundings::subscribe(NodeConnections& connections) {
   if (!parameters_.check_collisions) return;
+  connections_ = &connections;
   scan_ = connections.subscribeToScanner(tf_, base_frame_, 1, &PatrolSurroundings::handleScan, this,
                                          ros::TransportHints().tcpNoDelay());
   subscribed_ = steadyNow();
@@ -52,11 +53,17 @@ void PatrolSurroundings::lookAheadFor(const patrol::PatrolParameters& parameters
 }
 
 bool PatrolSurroundings::isConnecting() const {
-  return parameters_.check_collisions && !heard_ && steadyNow() - subscribed_ < kConnecting;
+  if (!parameters_.check_collisions || heard_) return false;
+  return steadyNow() - subscribed_ < kConnecting || !connections_->master().hasLooked();
+}
+
+/// A node that hangs, or that answers late, publishes a scan although this one is not connected to it.
+bool PatrolSurroundings::isPublished() const {
+  return scan_.getNumPublishers() > 0 || !connections_->master().publishersOf(scan_.getTopic()).empty();
 }
 
 bool PatrolSurroundings::isBlind() const {
-  return parameters_.check_collisions && !heard_ && scan_.getNumPublishers() == 0 && !isConnecting();
+  return parameters_.check_collisions && !heard_ && !isConnecting() && !isPublished();
 }
 
 patrol::WayAhead PatrolSurroundings::wayAhead(Time now) const {

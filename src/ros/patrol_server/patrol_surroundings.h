@@ -30,14 +30,14 @@ struct PatrolSurroundingsParameters {
 };
 
 /// Keeps a costmap around the robot, from `scan` and odometry, and looks along the way of a patrol as the behaviours
-/// do. Ground that no scan has seen counts as free. Where no scan was ever heard and nobody publishes one, patrols are
-/// driven by odometry alone.
+/// do. Ground that no scan has seen counts as free. Where no scan was ever heard and the master knows nobody who
+/// publishes one, patrols are driven by odometry alone.
 class PatrolSurroundings {
  public:
   /// `tf` gives the scanner's mount, and must outlive it.
   PatrolSurroundings(const PatrolSurroundingsParameters& parameters, const RobotModel& robot, const TfBridge& tf);
 
-  /// Subscribes to `scan`, unless it does not look.
+  /// Subscribes to `scan`, unless it does not look. `connections` must outlive this.
   void subscribe(NodeConnections& connections);
   /// A jump makes it forget what it has seen: the costmap is in the frame of odometry.
   void addOdometry(Time stamp, const Pose2& T_odom_base);
@@ -45,7 +45,8 @@ class PatrolSurroundings {
   void lookAheadFor(const patrol::PatrolParameters& parameters);
   /// The look ahead at `now`, which refers to this object; empty if nobody looks.
   patrol::WayAhead wayAhead(Time now) const;
-  /// Whether the node has just begun, so that a scanner may not have been found yet.
+  /// Whether the node has just begun, so that a scanner may not have been found yet: at least until the master has told
+  /// who publishes a scan.
   bool isConnecting() const;
   /// Whether patrols are driven without a look at the scan, although they should be with one.
   bool isBlind() const;
@@ -55,12 +56,14 @@ class PatrolSurroundings {
 
  private:
   void handleScan(const sensor_msgs::LaserScan& msg);
+  bool isPublished() const;
 
   PatrolSurroundingsParameters parameters_;
   std::string base_frame_;
   const TfBridge& tf_;
   behavior::CollisionCheck check_;
   ScanPlacer placer_;
+  const NodeConnections* connections_ = nullptr;  ///< null if it does not look
   ros::Subscriber scan_;
   SteadyTime subscribed_;
   bool heard_ = false;  ///< a scan, ever

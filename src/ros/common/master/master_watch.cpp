@@ -233,9 +233,14 @@ std::set<std::string> MasterWatch::connectedPublishersOf(const std::string& topi
   return urisOf(connected_, topic);
 }
 
+bool MasterWatch::hasLooked() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return publishers_.has_value();
+}
+
 std::vector<std::string> MasterWatch::publishersOf(const std::string& topic) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return nodesOf(publishers_, topic);
+  return publishers_ ? nodesOf(*publishers_, topic) : std::vector<std::string>();
 }
 
 std::vector<robot_check::Topic> MasterWatch::topics() const {

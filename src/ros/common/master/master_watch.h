@@ -71,7 +71,9 @@ class MasterWatch {
   SteadyTime lastAnswer() const { return last_answer_; }
   /// The latest report, once; nothing if there was no new one since the last call.
   std::optional<MasterReport> take() { return report_.take(); }
-  /// The nodes that publish `topic`, a resolved name, as of the last look.
+  /// Whether a look has ended, so that it is known who publishes what.
+  bool hasLooked() const;
+  /// The nodes that publish `topic`, a resolved name, as of the last look; also those that hang or were killed.
   std::vector<std::string> publishersOf(const std::string& topic) const;
   /// Whether each look is also to list all topics with their types, which costs another call.
   void listTopics(bool wanted) { lists_topics_ = wanted; }
@@ -135,8 +137,8 @@ class MasterWatch {
   std::string listened_;  ///< the topic of `watchListeners`
   std::vector<std::string> problems_;
   std::vector<robot_check::Topic> topics_;
-  UrisByTopic connected_;  ///< publishers from which this node receives
-  NodesByName publishers_;
+  UrisByTopic connected_;                  ///< publishers from which this node receives
+  std::optional<NodesByName> publishers_;  ///< by topic, as of the last look
   std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;
