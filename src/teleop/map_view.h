@@ -20,8 +20,9 @@ struct MapChange {
 
 /// What is drawn over the cells. A part of which nothing is known is empty.
 struct MapScene {
-  std::string frame;    ///< of the map; empty: there is no map yet
-  std::string problem;  ///< what is missing or was refused, in words; empty: nothing
+  std::string frame;           ///< of the map; empty: there is no map yet
+  std::uint32_t replaced = 0;  ///< how often another map has come in place of the one of before
+  std::string problem;         ///< what is missing or was refused, in words; empty: nothing
   std::optional<Pose2> T_map_base;
   std::optional<Pose2> goal;         ///< of the navigation
   std::vector<Vec2> plan;            ///< of the navigation

@@ -22,7 +22,9 @@ QSize MapPicture::sizeHint() const {
 }
 
 void MapPicture::setView(const teleop::MapView& view) {
-  if (view.scene.frame != scene_.frame) forgetPlaces();
+  const bool is_replaced = view.scene.replaced != scene_.replaced;
+  if (is_replaced || view.scene.frame != scene_.frame) forgetPlaces();
+  if (is_replaced) emit aimingEnded();
   if (view.change) {
     // While a place is being chosen, the map stays where it is below the pointer.
     const bool may_move = image_.empty() || (press_ == Press::kNone && !aiming_);
@@ -34,7 +36,7 @@ void MapPicture::setView(const teleop::MapView& view) {
   update();
 }
 
-/// In another frame the same coordinates are another place.
+/// In another frame, and on another map, the same coordinates are another place.
 void MapPicture::forgetPlaces() {
   track_.clear();
   press_ = Press::kNone;

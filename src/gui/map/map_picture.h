@@ -23,8 +23,9 @@ class MapPicture : public QWidget {
  public:
   explicit MapPicture(const Outline& robot, QWidget* parent = nullptr);
 
-  /// Only what has changed in the map is drawn into its image again. If the frame of the map has changed, the track,
-  /// the waypoints and a press in progress are dropped.
+  /// Only what has changed in the map is drawn into its image again. If the frame of the map has changed, or another
+  /// map has come in place of this one, the track, the waypoints and a press in progress are dropped; in the second
+  /// case the choice of a goal ends, too.
   void setView(const teleop::MapView& view);
   /// Whether the next press of the left button chooses a goal. Ending it drops a press that was to become one.
   void setAiming(bool aiming);
@@ -42,7 +43,7 @@ class MapPicture : public QWidget {
   void waypointsChanged();
   /// Why the place that was chosen is no goal.
   void refused(const QString& why);
-  /// The choice of a goal was ended with Escape.
+  /// The choice of a goal was ended, with Escape or because another map has come.
   void aimingEnded();
 
  protected:

@@ -47,6 +47,7 @@ MapLink::MapLink(const ros::NodeHandle& node, const TfBridge& tf, std::string ba
       spinner_(1, &queue_) {
   map_.subscribe(connections_, {}, {}, Need::kOptional);
   localization_.subscribe(connections_, Need::kOptional);
+  connections_.subscribe(names::kMapReplaced, 1, &MapLink::handleReplaced, this);
   plan_subscriber_ = connections_.subscribe(names::kPlan, 1, &MapLink::handlePlan, this);
   goal_subscriber_ = connections_.subscribe(names::kNavigatorProgress, 1, &MapLink::handleProgress, this);
   frontiers_subscriber_ = connections_.subscribe(names::kFrontiers, 1, &MapLink::handleMarkers, this);
@@ -98,6 +99,7 @@ void MapLink::collect() {
     if (view_.change) return;  // the window is busy: what changes meanwhile is handed over together
   }
   forgetGone();
+  if (map_.takeReplaced()) ++replaced_;
   teleop::MapView view{takeChange(), scene()};
   view.scene.problem = printable(view.scene.problem, bounds::kMostReason);  // frames in it may have any length
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -119,6 +121,7 @@ std::optional<teleop::MapChange> MapLink::takeChange() {
 
 teleop::MapScene MapLink::scene() const {
   teleop::MapScene scene;
+  scene.replaced = replaced_;
   if (!map_.ready()) {
     const std::string& refused = map_.rejections().last();
     scene.problem = !map_.published() ? "No map: nobody publishes " + node_.resolveName(names::kMap) + "."

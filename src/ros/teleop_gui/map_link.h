@@ -5,8 +5,10 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+#include <std_msgs/String.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -49,6 +51,7 @@ class MapLink {
   void handlePlan(const nav_msgs::Path& msg);
   void handleProgress(const NavigatorProgress& msg);
   void handleMarkers(const visualization_msgs::MarkerArray& msg);
+  void handleReplaced(const std_msgs::String&) { ++replaced_; }
   /// Prepares the next view.
   void collect();
   /// A navigator or an explorer that has ended leaves nothing on the map.
@@ -62,7 +65,8 @@ class MapLink {
   const std::string base_frame_;
   ros::CallbackQueue queue_;  ///< before all subscriptions, which are taken from it when they end
   ros::NodeHandle node_;
-  MapMirror map_;  ///< this and what follows up to the mutex are used by the thread of the topics alone
+  MapMirror map_;               ///< this and what follows up to the mutex are used by the thread of the topics alone
+  std::uint32_t replaced_ = 0;  ///< how often another map has come in place of the one of before
   LocalizationInput localization_;
   Places plan_, frontiers_;
   std::optional<Pose2> goal_;

@@ -19,6 +19,7 @@
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
@@ -45,6 +46,7 @@ NodeUsage teleopGuiUsage() {
                  port<ExplorerStatus>(names::kExplorerStatus),
                  port<std_msgs::Bool>(names::kStalled),
                  port<std_msgs::Bool>(names::kLocalized),
+                 port<std_msgs::String>(names::kMapReplaced),
                  port<NavigatorProgress>(names::kNavigatorProgress),
                  port<nav_msgs::OccupancyGrid>(names::kMap),
                  port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),

@@ -158,6 +158,28 @@ TEST_F(MapPointer, WaypointsAndAPressInProgressEndWithTheFrameTheyWereChosenIn) 
   EXPECT_FALSE(find("waypoints_follow")->isEnabled());
 }
 
+// [GUI-2] [NAV-5]
+TEST_F(MapPointer, WaypointsAndTheChoiceOfAGoalEndWithTheMapTheyWereMadeOnAlsoInTheSameFrame) {
+  state_.waypoints.server_up = true;
+  widget_->setState(state_);
+  widget_->setMap(viewOf(mapOf(60, 60, kFree)));
+  aimAt(3.0, 1.0, Qt::ShiftModifier);
+  aimAt(3.0, 4.0, Qt::ShiftModifier);
+  widget_->setMap(viewOf(mapOf(80, 60, kFree)));
+  EXPECT_EQ(picture().waypoints().size(), 2U) << "that map has only grown";
+  click("map_go");
+  teleop::MapView other = viewOf(mapOf(80, 60, kFree));
+  other.scene.replaced = 1;
+  widget_->setMap(other);
+  EXPECT_TRUE(picture().waypoints().empty());
+  EXPECT_FALSE(find("waypoints_follow")->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("map_go")->isChecked());
+  aimAt(3.0, 2.0, Qt::ShiftModifier);
+  widget_->setMap(other);
+  EXPECT_EQ(picture().waypoints().size(), 1U) << "it is replaced once, not with each view";
+  EXPECT_TRUE(requests_.empty());
+}
+
 // [GUI-2]
 TEST_F(MapPointer, APressBecomesNoGoalIfTheNavigationGoesDownMeanwhile) {
   widget_->setMap(viewOf(mapOf(60, 60, kFree)));
