@@ -2,7 +2,7 @@
 
 #include <geometry_msgs/Twist.h>
 
-#include "frontier_pilot/core/bounds.h"
+#include "ros/common/inputs/arbiter_source.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
@@ -83,9 +83,7 @@ void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
 }
 
 void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
-  const bool other = msg.state == ArbiterStatus::DRIVING && msg.active_source != parameters_.source;
-  wheels_held_by_.put(other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt,
-                      steadyNow());
+  wheels_held_by_.put(findOtherDriver(msg, cmd_vel_.getTopic(), parameters_.source), steadyNow());
 }
 
 void PatrolServerAdapter::tick() {

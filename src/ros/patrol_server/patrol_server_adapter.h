@@ -30,7 +30,8 @@ struct PatrolServerParameters {
   void describe(Visitor& v) {
     patrol.describe(v);
     surroundings.describe(v);
-    v.field("source", source, "", "the arbiter's name for this node");
+    v.field("source", source, "",
+            "the arbiter's name for this node, where none of its sources has the topic `cmd_vel_patrol` of this node");
   }
   void check(Problems& problems) const { patrol.check(problems); }
 };

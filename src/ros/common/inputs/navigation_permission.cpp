@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "ros/common/inputs/arbiter_source.h"
 #include "ros/common/names.h"
 
 namespace frontier_pilot {
@@ -27,9 +28,8 @@ bool isAmong(const std::vector<std::string>& names, const std::string& name) {
 NavigationPermission::NavigationPermission() : NavigationPermission(ros::names::resolve(names::kCmdVelNav)) {}
 
 std::optional<NavigationPermission::Refusal> NavigationPermission::find(const ArbiterStatus& status) const {
-  const auto navigation = std::find_if(status.sources.begin(), status.sources.end(),
-                                       [this](const ArbiterSource& source) { return source.topic == topic_; });
-  if (navigation == status.sources.end()) return std::nullopt;
+  const ArbiterSource* navigation = findSource(status, topic_);
+  if (navigation == nullptr) return std::nullopt;
   if (navigation->enabled == 0) return Refusal{"its source " + navigation->name + " is disabled", kAtOnce};
   if (status.state == ArbiterStatus::CONTESTED)
     return Refusal{"another node could receive an emergency stop in its place", kMoment};
