@@ -5,7 +5,7 @@ explorer that has died, unless the program that started it has ended too.
 
 Exit code: 0 when no reachable frontier is left, or a stopping rule has ended the exploration, and the map was saved where it was to be,
 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal was closed, 141 when nobody reads the output any more, 3 when the exploration
-has ended and the map could not be saved anywhere, 1 otherwise.
+has ended, or the map was only to be saved, and it could not be saved anywhere, 1 otherwise.
 """
 import argparse
 import math
@@ -287,6 +287,7 @@ def main():
     parser.add_argument('--saved-already', action='store_true',
                         help='only wait until it is told to end, and save the map beside the one of before if it has changed since')
     parser.add_argument('--save-at-end', action='store_true', help='only wait until it is told to end, and save the map then')
+    parser.add_argument('--save-now', action='store_true', help='only save the map, beside one of that name if there is one')
     parser.add_argument('--period', type=period_in, default=5.0,
                         help='seconds between two progress lines, from %g to %g (5)' % PERIODS)
     arguments = parser.parse_args(rospy.myargv()[1:])
@@ -298,6 +299,8 @@ def main():
     if not ros_program.begin('watch_exploration', lambda: not interrupt.number and not is_abandoned(parent, began), silent_for=MASTER_START,
                              argv=words, anonymous=True, disable_signals=True):
         return 128 + interrupt.number if interrupt.number else 1
+    if arguments.save_now:
+        return NOT_SAVED if save_map(arguments.map, beside=True) is Saved.NOWHERE else 0
     warn_of_a_missing_folder(arguments.map)
     watcher = Watcher(arguments.period)
     if arguments.saved_already or arguments.save_at_end:

@@ -13,8 +13,13 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 WATCHER = '''#!/bin/bash
 trap 'echo saved again >>"$WATCHED"; exit 143' TERM
+dies() { [[ $KILLED = twice && " $* " == *' --save-at-end '* ]]; }
+! dies "$@" || trap '' TERM
 echo "$@" >>"$WATCHED"
+! dies "$@" || kill -KILL $$
 for ((i = 0; i < EXPLORES; i++)); do sleep 0.05; done
+[[ " $* " != *' --save-now '* ]] || exit 0
+[ -z "$KILLED" ] || [[ " $* " == *' --sav'* ]] || kill -KILL $$
 [[ " $* " == *' --saved-already '* || " $* " == *' --save-at-end '* ]] || exit "$WATCHER_CODE"  # the exploration is done
 while :; do sleep 0.05; done
 '''
@@ -44,10 +49,10 @@ class RunWindows(unittest.TestCase):
             (build / name).write_text('')
         self.watched, self.launch_ends = self.folder / 'watched', self.folder / 'launch_ends'
 
-    def start(self, *words, display=':9', launch=LAUNCH, explores=0, code=0):
+    def start(self, *words, display=':9', launch=LAUNCH, explores=0, code=0, killed=''):
         environment = dict(os.environ, FRONTIER_PILOT_BUILD=str(self.folder / 'build'), DISPLAY=display, WATCHED=str(self.watched),
                            ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', ROS_MASTER_URI=self.master, LAUNCHED=str(self.folder / 'launched'), HOME=str(self.folder),
-                           LAUNCH_ENDS=str(self.launch_ends), EXPLORES=str(explores), WATCHER_CODE=str(code), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
+                           LAUNCH_ENDS=str(self.launch_ends), EXPLORES=str(explores), WATCHER_CODE=str(code), KILLED=killed, **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
         process = subprocess.Popen([str(self.folder / 'root/scripts/run'), *words], cwd=self.caller, env=environment, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
@@ -60,8 +65,8 @@ class RunWindows(unittest.TestCase):
             process.send_signal(signal.SIGINT)  # killed, it would leave the watcher, which holds its output
         process.communicate(timeout=60)
 
-    def start_until_done(self, *words, record='false', code=0):
-        process = self.start('record:=' + record, *words, code=code)
+    def start_until_done(self, *words, record='false', code=0, killed=''):
+        process = self.start('record:=' + record, *words, code=code, explores=20 if killed else 0, killed=killed)
         for line in process.stdout:
             if line.startswith('Launching; '):
                 self.logs = pathlib.Path(line.split(' goes to ')[1].split(',')[0]).parent
@@ -90,6 +95,27 @@ class RunWindows(unittest.TestCase):
         self.assertEqual(process.returncode, 130, err)
         map_option = '--map %s/floor' % self.caller
         self.assertEqual(self.watched.read_text().splitlines(), [map_option, map_option + ' --save-at-end', 'saved again'])
+
+    def test_the_map_is_saved_although_a_watcher_was_killed(self):
+        """[FLT-2]"""
+        map_option = '--map %s/floor' % self.caller
+        for killed, at_the_end in (('once', 'saved again'), ('twice', map_option + ' --save-now')):
+            with self.subTest(killed=killed):
+                self.watched.write_text('')
+                process = self.start_until_done('map:=floor', killed=killed)
+                self.assertIn('tries again to save the map, which is saved nowhere yet', self.outlook)
+                process.send_signal(signal.SIGINT)
+                _, err = process.communicate(timeout=60)
+                self.assertEqual(process.returncode, 130, err)
+                self.assertEqual(self.watched.read_text().splitlines(), [map_option, map_option + ' --save-at-end', at_the_end], err)
+
+    def test_the_map_is_saved_although_the_watcher_of_a_run_without_windows_was_killed(self):
+        """[FLT-2]"""
+        process = self.start('map:=floor', 'gui:=false', 'rviz:=false', 'record:=false', display='', explores=20, killed='once')
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual(self.watched.read_text().splitlines()[1:], ['--map %s/floor --save-now' % self.caller])
+        self.assertIn('scripts/run: what watches the exploration was killed; saving the map in its place ...', err)
 
     def test_a_map_that_could_not_be_saved_is_a_failure_of_the_run(self):
         process = self.start('map:=floor', 'gui:=false', 'rviz:=false', 'record:=false', display='', code=3)
