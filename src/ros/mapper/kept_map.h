@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
+#include "ros/common/memory/session_memory.h"
 
 /// The files of a map that is kept for the next mapper. `base` is their common path without the endings: the name of
 /// the session's folder, and in it that of the node.
@@ -53,5 +57,29 @@ std::string mapFileName(const std::string& map_file);
 std::string toText(const KeptPose& pose);
 /// Nothing if it is no pose, or one that no robot can have.
 std::optional<KeptPose> toKeptPose(const std::string& text);
+
+/// The pose that is kept with a map while that is being saved: the one with which saving began, or a newer one on the
+/// same map. Safe to use from several threads.
+class SavedPose {
+ public:
+  /// `rendered` says how often the map was rendered again.
+  SavedPose(std::string text, std::uint64_t rendered) : rendered_(rendered), text_(std::move(text)) {}
+
+  /// Takes a newer pose, unless it is one on the map after that was rendered again.
+  void renew(const std::string& text, std::uint64_t rendered) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (rendered == rendered_) text_ = text;
+  }
+  /// Stores the newest pose, before any that is stored after renew(). Returns what went wrong; empty if nothing did.
+  std::string keepIn(const SessionMemory& memory) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return memory.remember(text_);
+  }
+
+ private:
+  const std::uint64_t rendered_;
+  mutable std::mutex mutex_;
+  std::string text_;
+};
 
 }  // namespace frontier_pilot

@@ -57,7 +57,7 @@ std::string rememberInTime(const SessionMemory& memory, const std::string& pose)
 
 /// Returns why it could not be saved; empty if it was. If the copy that is there is of the previous map, `lost` is the
 /// pose, marked as one at which the robot has to be looked for; else it is empty.
-std::string save(const map_files::MapSnapshot& map, const std::string& pose, const std::string& lost,
+std::string save(const map_files::MapSnapshot& map, const SavedPose& pose, const std::string& lost,
                  const SessionMemory& memory, const SessionMemory& replaced, const std::atomic<bool>& wanted) {
   if (memory.files().empty()) return "the ROS session has no name";
   const fs::path base = memory.files().front();
@@ -72,7 +72,7 @@ std::string save(const map_files::MapSnapshot& map, const std::string& pose, con
   if (!result.ok()) return lost.empty() ? result.text : joined(result.text, setPreviousAside(memory, replaced));
   kept_map::removeOldest(base);
   if (!wanted) return {};  // a pose would have the next mapper continue with it
-  return memory.remember(pose);
+  return pose.keepIn(memory);
 }
 
 /// What `job` says that went wrong, or the exception that it threw; empty if nothing did.
@@ -186,13 +186,14 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const MapPose& pose, MapCon
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   ended_ = std::make_shared<std::atomic<bool>>(false);
-  run([snapshot = map_files::takeSnapshot(map), text = textOf(pose), memory = memory_, replaced = replaced_,
+  saved_pose_ = std::make_shared<SavedPose>(textOf(pose), has.rendered);
+  run([snapshot = map_files::takeSnapshot(map), kept = saved_pose_, memory = memory_, replaced = replaced_,
        wanted = wanted_, current = current_, done = done_, ended = ended_, rendered = has.rendered,
        lost = superseded_ ? textOf({pose.T_map_odom, false}) : std::string()] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
       std::string why;
-      if (*wanted) why = frontier_pilot::save(snapshot, text, lost, memory, replaced, *wanted);
+      if (*wanted) why = frontier_pilot::save(snapshot, *kept, lost, memory, replaced, *wanted);
       if (*wanted) return why;
       discard(memory);  // its files may have been removed while they were read back, which is no problem
       return std::string();
@@ -228,6 +229,7 @@ std::string MapAutosave::whyNotSaved() {
 
 void MapAutosave::remember(const MapPose& pose, std::uint64_t rendered) {
   noteEnd();
+  if (saved_pose_) saved_pose_->renew(textOf(pose), rendered);  // of a save under way, which would write an older one
   // Without a map the pose would be that of a map that was lost, and on one of before a closed loop the robot is
   // elsewhere: the pose of the copy stays, but not the time by which a mapper in another session recognises it.
   if (!schedule_.hasCopy()) {
@@ -262,6 +264,7 @@ void MapAutosave::supersede() {
   loss_.clear();
   schedule_.discard();
   superseded_ = true;
+  saved_pose_.reset();
   *current_ = false;
   current_ = std::make_shared<std::atomic<bool>>(true);
 }

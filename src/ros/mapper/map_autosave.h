@@ -114,6 +114,7 @@ class MapAutosave {
   std::optional<SessionMemory> unwanted_;       ///< the place of a copy that is to be removed
   std::shared_ptr<std::atomic<bool>> wanted_;   ///< false once the copy being saved is obsolete
   std::shared_ptr<std::atomic<bool>> current_;  ///< false once the map being saved was replaced
+  std::shared_ptr<SavedPose> saved_pose_;       ///< of the map that is being saved, unless it was replaced
   std::shared_ptr<Mailbox<Saved>> done_;
   std::shared_ptr<std::atomic<bool>> ended_;  ///< whether the save that was begun last has
   SaveSchedule schedule_;

@@ -55,6 +55,12 @@ class MapAutosaveInASession : public ::testing::Test {
     diskThread().run<int>([busy = end.get_future().share()] { return busy.wait(), 0; });
     return end;
   }
+  /// The map is saved from now on, and is not before what stays in `hanging_` is run.
+  void beginToSave(double x, const MapPose& pose, std::uint64_t rendered) {
+    occupancy::OccupancyMap map = mapAt(x);
+    autosave_->save(map, pose, {++scans_, rendered},
+                    [this](std::function<void()> job) { hanging_.push_back(std::move(job)); });
+  }
   std::string save(occupancy::OccupancyMap map, const MapPose& pose) {
     autosave_->save(map, pose, {++scans_, 0}, [](const std::function<void()>& job) { job(); });
     return autosave_->whyNotSaved();
@@ -63,9 +69,7 @@ class MapAutosaveInASession : public ::testing::Test {
   /// in `hanging_`. Returns why the loaded map would not survive.
   std::string loadWhileTheDiskHangs(double x) {
     autosave_->supersede();
-    occupancy::OccupancyMap map = mapAt(x);
-    autosave_->save(map, {Pose2(), false}, {++scans_, 0},
-                    [this](std::function<void()> job) { hanging_.push_back(std::move(job)); });
+    beginToSave(x, {Pose2(), false}, 0);
     return autosave_->whyNotSaved();
   }
   /// Nothing can be removed from the disk any more, nor written there.
@@ -98,6 +102,19 @@ TEST_F(MapAutosaveInASession, IsContinuedWithAtTheSamePlace_FLT_2) {
   const auto pose = restored();
   ASSERT_TRUE(pose);
   EXPECT_EQ(pose->T_map_odom, kThere);
+  EXPECT_TRUE(pose->localized);
+}
+
+// Odometry may be reset, or the robot be found, while a large map is written. [FLT-2]
+TEST_F(MapAutosaveInASession, IsContinuedWithAtThePlaceThatBecameKnownWhileItWasSaved_FLT_2) {
+  const Pose2 later(3.0, 4.0, -0.5), on_the_next_map(5.0, 6.0, 0.0);
+  beginToSave(0.0, {kThere, false}, 1);
+  autosave_->remember({later, true}, 1);
+  autosave_->remember({on_the_next_map, true}, 2);
+  hanging_.front()();
+  const auto pose = restored();
+  ASSERT_TRUE(pose);
+  EXPECT_EQ(pose->T_map_odom, later);
   EXPECT_TRUE(pose->localized);
 }
 
