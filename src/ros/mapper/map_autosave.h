@@ -55,6 +55,8 @@ class MapAutosave {
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
   void save(occupancy::OccupancyMap& map, const MapPose& pose, MapContent has, const Run& run);
+  /// The next map is saved however soon after the one before it, because it may be the last one.
+  void hurry() { noteEnd(), schedule_.hurry(); }
   /// Whether the save that was begun last has not ended yet.
   bool isSaving() const { return ended_ && !*ended_; }
   /// Why the map that was to be saved last would not survive; empty if it would. If it would not, a mapper that is

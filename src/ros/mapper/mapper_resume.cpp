@@ -86,6 +86,7 @@ void MapperAdapter::sayLastWords() {
 bool MapperAdapter::leaveUnsaved() {
   if (whyUnsaved(saver_.saves()).empty()) return false;
   if (ros::ok()) {  // else the threads that save have ended
+    autosave_.hurry();
     autosave();
     awaitAutosave();
   }

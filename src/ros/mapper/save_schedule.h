@@ -19,6 +19,8 @@ class SaveSchedule {
   void end(bool saved, SteadyTime at, Duration took);
   /// The copy, and one that is being written, are of no use any more: the next map is saved as soon as it can be.
   void discard();
+  /// The next map that has changed is saved as soon as it can be, because it may be the last one.
+  void hurry() { next_ = {}; }
   /// Whether the copy belongs to the map as it is, or to an earlier state of it.
   bool hasCopy() const { return has_copy_; }
   /// What is wrong when a save does not end; empty if nothing is.

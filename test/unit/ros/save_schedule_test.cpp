@@ -42,6 +42,15 @@ TEST(SaveSchedule, SavesAtOnceWhatComesInPlaceOfTheCopy_FLT_2) {
   EXPECT_TRUE(schedule.isDue(1, at(6)));
 }
 
+// At the end the copy may stay as the only map. [FLT-2]
+TEST(SaveSchedule, DoesNotRestBeforeTheLastSave_FLT_2) {
+  SaveSchedule schedule = withCopy();
+  EXPECT_FALSE(schedule.isDue(2, at(6)));
+  schedule.hurry();
+  EXPECT_TRUE(schedule.isDue(2, at(6)));
+  EXPECT_FALSE(schedule.isDue(1, at(6))) << "that map is kept already";
+}
+
 // [FLT-2]
 TEST(SaveSchedule, TakesASaveThatWasDiscardedMeanwhileForNoCopyAndDoesNotRestAfterIt_FLT_2) {
   SaveSchedule schedule = withCopy();
