@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How scripts/run ends when a signal comes while it makes the report."""
+"""How scripts/run ends when a signal comes while it makes the report, and what it says of a map that was not saved."""
 import os
 import pathlib
 import re
@@ -91,6 +91,25 @@ class RunEnd(unittest.TestCase):
         script.send_signal(signal.SIGINT)
         code, _, err = self.ended(script)
         self.assertEqual((code, err), (130, "scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n"))
+
+    def saying_what_is_kept(self, log):
+        """What the end of a run without a report says on stderr, after which the nodes have said this."""
+        (self.folder / 'log').write_text('... logging to /home/me/.ros/log/launch-1/roslaunch-computer-42.log\n' + log)
+        functions = re.search(r'^launch=0 watch=0.*?(?=^hold_signals\n)', RUN.read_text(), re.M | re.S).group()
+        words = PATIENT + BEFORE + 'record=false\n' + functions + AFTER
+        return subprocess.run(['bash', '-c', words, 'run', '1'], cwd=self.folder, text=True, capture_output=True, timeout=60,
+                              env=dict(os.environ, ROS_HOME=str(self.folder))).stderr
+
+    def test_the_copy_of_a_mapper_that_was_killed_is_named(self):
+        copy = self.folder / 'frontier_pilot/launch-1/kept_map.mapper.yaml'
+        self.assertEqual(self.saying_what_is_kept(''), '')
+        copy.parent.mkdir(parents=True)
+        copy.touch()
+        self.assertIn('map_file:=%s begins with it' % copy, self.saying_what_is_kept(''))
+
+    def test_what_the_mapper_said_of_its_copy_is_repeated(self):
+        said = 'the map was not saved, because of this; its copy is kept: map_file:=/lost/map.yaml begins with it'
+        self.assertEqual(self.saying_what_is_kept('\x1b[33m[ WARN] [1.0] [/mapper]: %s\x1b[0m\n' % said), 'scripts/run: %s\n' % said)
 
 
 if __name__ == '__main__':
