@@ -66,6 +66,10 @@ WaypointOutput WaypointFollower::update(const WaypointInputs& inputs, Time now) 
     return end(WaypointOutcome::kNavigationGone, "aborted: nothing serves move_base");
   }
   if (under_way_) return unchanged();
+  if (pursued_ && inputs.navigation_serves_others) {  // it would be taken from whoever has sent it meanwhile
+    return end(WaypointOutcome::kReplaced,
+               "aborted: another goal came before that of " + inWords(current_) + " was sent again");
+  }
   under_way_ = pursued_ = true;
   WaypointOutput output = unchanged();
   output.send = Leg{++last_leg_, current_};

@@ -56,7 +56,8 @@ struct LegEnd {
 };
 
 struct WaypointInputs {
-  bool navigation_up = false;  ///< move_base is served now
+  bool navigation_up = false;             ///< move_base is served now
+  bool navigation_serves_others = false;  ///< a goal of another client is pursued, or was a moment ago
   bool emergency_stop = false;
   std::string navigation_refused;  ///< why the arbiter does not heed its commands; empty: it does
   std::vector<LegEnd> ended;       ///< since the last update

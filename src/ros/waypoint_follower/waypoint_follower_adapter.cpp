@@ -73,6 +73,7 @@ void WaypointFollowerAdapter::tick() {
 void WaypointFollowerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
   inputs_.navigation_up = navigation_.isServerConnected();
+  inputs_.navigation_serves_others = navigation_.servesOthers();
   inputs_.navigation_refused = permission_.refusal(*now, steadyNow());
   const waypoints::WaypointOutput output = follower_.update(inputs_, *now);
   inputs_.ended.clear();

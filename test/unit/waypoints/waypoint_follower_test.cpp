@@ -171,6 +171,27 @@ TEST_F(Waypoints, WaitForANavigationThatIsRestartedAndSendTheGoalAgain) {
   EXPECT_EQ(ends(LegEnd::Kind::kLost).send->waypoint, 0U);
 }
 
+// [NAV-5] Whoever waited for the navigation has sent a goal first.
+TEST_F(Waypoints, GiveWayToAGoalThatARestartedNavigationPursuesAlready) {
+  follower_.start(2, now_);
+  ASSERT_TRUE(update().send);
+  inputs_.navigation_up = false;
+  update();
+  inputs_.navigation_up = inputs_.navigation_serves_others = true;
+  const WaypointOutput output = update();
+  EXPECT_FALSE(output.send);
+  EXPECT_EQ(output.outcome, WaypointOutcome::kReplaced);
+  EXPECT_EQ(output.text, "aborted: another goal came before that of waypoint 1 of 2 was sent again");
+}
+
+// [NAV-5]
+TEST_F(Waypoints, ReplaceTheGoalOfSomebodyElseWhenTheyBeginAndWhenOneIsReached) {
+  inputs_.navigation_serves_others = true;  // also for a moment after that goal has ended
+  follower_.start(2, now_);
+  EXPECT_TRUE(update().send);
+  EXPECT_TRUE(ends(LegEnd::Kind::kReached).send);
+}
+
 // [NAV-5]
 TEST_F(Waypoints, AreCancelledAlsoWhileTheNavigationSeemsToBeGone) {
   follower_.start(2, now_);
