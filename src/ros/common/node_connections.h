@@ -88,6 +88,7 @@ class NodeConnections {
   ros::Subscriber subscribeToCommands(const std::string& topic, std::uint32_t queue_size, F handle,
                                       const ros::TransportHints& hints = {}, Duration settling = settlingOfARestart()) {
     const auto repeats = std::make_shared<LatchedRepeats>(node_.resolveName(topic), steadyNow(), settling);
+    if (settling > Duration::zero()) everySteady(ros::WallDuration(0.1), [repeats] { repeats->look(steadyNow()); });
     return subscribeToEvents<Msg>(
         topic, queue_size,
         [repeats, topic, handle](const ros::MessageEvent<const Msg>& event) {

@@ -99,6 +99,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
       callbacks_.run(name_ + "/status", [&] {
         const Lock lock(this->lock_);
+        repeats_.look(steadyNow());
         tidy(bounds::kMostTrackedGoals);
         publishStatus();
       });

@@ -40,7 +40,12 @@ LateConnections& lateConnections() {
   return late;
 }
 
+void LatchedRepeats::look(SteadyTime now) {
+  if (!is_settled_) is_settled_ = !hold_ups_.isCatchingUp(now) && now >= settling_until_;
+}
+
 bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
+  look(now);
   if (!header || valueOf(*header, "latching") != "1") return false;
   const std::string publisher = valueOf(*header, "callerid");
   const auto known =
@@ -48,7 +53,7 @@ bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
   if (known == heard_.end()) {
     if (heard_.size() == kMostRemembered) heard_.pop_front();
     heard_.emplace_back(publisher, header);
-    return now < settled_ || (settles_ && late_.has(topic_, publisher, now));
+    return !is_settled_ || (settles_ && late_.has(topic_, publisher, now));
   }
   const bool is_repeat = known->second != header;
   heard_.erase(known);

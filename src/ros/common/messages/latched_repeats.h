@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "frontier_pilot/core/time.h"
+#include "ros/common/hold_up_watch.h"
 
 namespace frontier_pilot {
 
@@ -48,10 +49,22 @@ class LatchedRepeats {
   using Header = boost::shared_ptr<ros::M_string>;  ///< the header of a connection, which belongs to that one alone
 
   /// The first message of each latching publisher that arrives within `settling` of the `start` counts as published
-  /// before this node was there, and so does that of one that is connected late. With zero neither does.
+  /// before this node was there, and so does that of one that is connected late. With zero neither does. A start that
+  /// takes long, or a hold-up of the process before the node is settled, begins that time again: the message may have
+  /// waited meanwhile.
   LatchedRepeats(std::string topic, SteadyTime start, Duration settling,
                  const LateConnections& late = lateConnections())
-      : topic_(std::move(topic)), settled_(start + settling), settles_(settling > Duration::zero()), late_(late) {}
+      : topic_(std::move(topic)),
+        settling_until_(start + settling),
+        settles_(settling > Duration::zero()),
+        is_settled_(!settles_),
+        hold_ups_(settling, 3 * settling),
+        late_(late) {
+    hold_ups_.isCatchingUp(start);
+  }
+
+  /// To be called at least every 0.3 s where there is a time to settle, by whoever reads the messages.
+  void look(SteadyTime now);
 
   /// Whether a message that arrives now by the connection with this header was published before: it is the first one
   /// that a latching publisher sends by it, and that publisher was heard by another connection already, or was
@@ -63,8 +76,9 @@ class LatchedRepeats {
   static constexpr std::size_t kMostRemembered = 200;  ///< latching publishers; most have names that are used once
 
   std::string topic_;  ///< a resolved name
-  SteadyTime settled_;
-  bool settles_;
+  SteadyTime settling_until_;
+  bool settles_, is_settled_;
+  HoldUpWatch hold_ups_;  ///< until the node is settled
   const LateConnections& late_;
   std::deque<std::pair<std::string, Header>> heard_;  ///< by publisher: the connection by which it was heard last
 };
