@@ -28,6 +28,8 @@ class ActionServers : public ::testing::Test {
     }));
   }
 
+  void TearDown() override { ros::Time::init(); }  ///< with the time of the system again
+
   static GoalID named(const std::string& id) {
     GoalID goal_id;
     goal_id.id = id;
@@ -62,7 +64,7 @@ class ActionServers : public ::testing::Test {
       "wait/result", 10, [this](const WaitActionResult::ConstPtr& result) { ended_.push_back(result->status); });
   ros::Subscriber statuses_ =
       node_.subscribe<GoalStatusArray>("wait/status", 10, [this](const GoalStatusArray::ConstPtr& status) {
-        if (!status->status_list.empty()) known_ = status->status_list.back().goal_id.id;
+        known_ = status->status_list.empty() ? std::string() : status->status_list.back().goal_id.id;
       });
 };
 
@@ -89,6 +91,17 @@ TEST_F(ActionServers, EndACanceledGoalAlsoWhereTheOwnerDoesNot) {
 TEST_F(ActionServers, RecallAGoalWhoseCancelCameFirst) {
   cancels_.publish(named("early"));
   ASSERT_TRUE(serveUntil([this] { return known_ == "early"; }));
+  sendGoal("early");
+  EXPECT_TRUE(endsAs("early", GoalStatus::RECALLED));
+  EXPECT_EQ(begun_, 0);
+}
+
+// A link that was away delivers the goal when it is back. [NAV-1]
+TEST_F(ActionServers, RecallAGoalThatComesLongAfterItsCancel) {
+  cancels_.publish(named("early"));
+  ASSERT_TRUE(serveUntil([this] { return known_ == "early"; }));
+  ros::Time::setNow(ros::Time::now() + ros::Duration(60.0));
+  EXPECT_TRUE(serveUntil([this] { return known_.empty(); })) << "to clients it would be a goal that is pursued";
   sendGoal("early");
   EXPECT_TRUE(endsAs("early", GoalStatus::RECALLED));
   EXPECT_EQ(begun_, 0);

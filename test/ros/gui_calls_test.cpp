@@ -1,5 +1,8 @@
-// The services that the operator's window calls: those that come and go, and those that hang.
+// The services that the operator's window calls: those that come and go, and those that hang. And goals that do not
+// arrive.
 
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <frontier_pilot/PatrolAction.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
@@ -7,6 +10,9 @@
 
 #include <atomic>
 #include <cmath>
+#include <mutex>
+#include <string>
+#include <vector>
 
 #include "ros/common/names.h"
 #include "ros/gui_robot.h"
@@ -101,6 +107,65 @@ TEST_F(GuiOnTheWire, AStopOvertakesWhatWaitsBehindAServiceThatHangsAndCanBeClear
   EXPECT_TRUE(waitFor([&] { return window.log().contains("set_obstacle_avoid_enabled on is not done"); }));
   QTest::qWait(500);  // that nothing comes can only be seen by waiting
   EXPECT_EQ(avoider_calls, 0);
+}
+
+/// A server of patrols that shows no goal, as if none had arrived, and keeps the ids of goals and of cancels.
+class UnreachedPatrols {
+ public:
+  using Ids = std::vector<std::string>;
+
+  /// A server is up only as long as it does so.
+  void sayStatus() const { status_.publish(actionlib_msgs::GoalStatusArray()); }
+  Ids goals() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return goals_;
+  }
+  Ids cancels() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return cancels_;
+  }
+
+ private:
+  void keep(Ids& ids, const actionlib_msgs::GoalID& id) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ids.push_back(id.id);
+  }
+  static std::string topic(const char* name) { return std::string(names::kPatrol) + name; }
+
+  mutable std::mutex mutex_;
+  Ids goals_, cancels_;
+  ros::NodeHandle node_;
+  ros::Publisher status_ = node_.advertise<actionlib_msgs::GoalStatusArray>(topic("/status"), 1);
+  ros::Subscriber goal_ = node_.subscribe<PatrolActionGoal>(
+      topic("/goal"), 10, [this](const PatrolActionGoal::ConstPtr& msg) { keep(goals_, msg->goal_id); });
+  ros::Subscriber cancel_ = node_.subscribe<actionlib_msgs::GoalID>(
+      topic("/cancel"), 10, [this](const actionlib_msgs::GoalID::ConstPtr& msg) { keep(cancels_, *msg); });
+};
+
+// [GUI-2] Goals and cancels have connections of their own: what is pressed later may arrive earlier.
+TEST_F(GuiOnTheWire, AGoalThatHasNotArrivedIsCancelledByItsIdWithAStop_GUI_2) {
+  using Kind = teleop::OperatorRequest::Kind;
+  UnreachedPatrols server;
+  Window window;
+  ASSERT_TRUE(ready(window));
+  ASSERT_TRUE(waitFor([&] {
+    server.sayStatus();
+    return window.find("patrol(sqr)")->isEnabled();
+  }));
+  window.bridge.request({Kind::kPatrol, true, {}, 1, 0.5, 1});
+  ASSERT_TRUE(waitFor([&] { return !server.goals().empty(); }));
+  const std::string id = server.goals().front();
+  EXPECT_TRUE(server.cancels().empty());
+  window.bridge.request({Kind::kEmergencyStop, true, {}});
+  EXPECT_TRUE(waitFor([&] { return !server.cancels().empty(); }));
+  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
+  window.bridge.request({Kind::kStopPatrol, false, {}});
+  EXPECT_TRUE(waitFor([&] { return !server.cancels().empty() && server.cancels().back().empty(); }));
+  UnreachedPatrols::Ids cancels = server.cancels();
+  ASSERT_GE(cancels.size(), 3U) << "of the stop and of the patrol alone";
+  cancels.pop_back();  // the empty id, which cancels all goals that have arrived
+  for (const std::string& cancelled : cancels) EXPECT_EQ(cancelled, id);
+  EXPECT_TRUE(clears(window));
 }
 
 }  // namespace

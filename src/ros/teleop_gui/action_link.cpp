@@ -44,7 +44,7 @@ ActionLink<Action>::ActionLink(ros::NodeHandle& node, NodeConnections& connectio
   const std::string goal = action + "/goal", cancel = action + "/cancel", status = action + "/status";
   const std::string feedback = action + "/feedback", result = action + "/result";
   goal_publisher_ = node.advertise<ActionGoal>(goal, 2);
-  cancel_publisher_ = node.advertise<actionlib_msgs::GoalID>(cancel, 2);
+  cancel_publisher_ = node.advertise<actionlib_msgs::GoalID>(cancel, 10);
   status_subscriber_ = connections.subscribe(status, 2, &ActionLink::onStatus, this);
   connections.subscribe(feedback, 10, &ActionLink::onFeedback, this);
   connections.subscribe(result, 10, &ActionLink::onResult, this);
@@ -60,6 +60,7 @@ void ActionLink<Action>::start(const Goal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     own_id_ = msg.goal_id.id;
+    has_arrived_ = false;
     view_.result.clear();
     view_.feedback.clear();
   }
@@ -69,6 +70,7 @@ void ActionLink<Action>::start(const Goal& goal) {
 
 template <class Action>
 void ActionLink<Action>::cancelAll() {
+  cancelOwn();                                          // may overtake its goal, which the empty id would not reach
   cancel_publisher_.publish(actionlib_msgs::GoalID());  // an empty id cancels all goals
   log_(teleop::Severity::kIdle, name_ + " stop requested");
 }
@@ -76,11 +78,21 @@ void ActionLink<Action>::cancelAll() {
 template <class Action>
 void ActionLink<Action>::cancelOwn() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  cancelById();
+}
+
+template <class Action>
+void ActionLink<Action>::cancelUnlessArrived() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!has_arrived_) cancelById();
+}
+
+template <class Action>
+void ActionLink<Action>::cancelById() {
   if (own_id_.empty()) return;
   actionlib_msgs::GoalID id;
   id.id = own_id_;
   cancel_publisher_.publish(id);
-  own_id_.clear();
 }
 
 template <class Action>
@@ -103,6 +115,10 @@ void ActionLink<Action>::onStatus(const actionlib_msgs::GoalStatusArray& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
   heard_ = steadyNow();
   view_.active = std::any_of(msg.status_list.begin(), msg.status_list.end(), isGoingOn);
+  const auto is_own = [this](const actionlib_msgs::GoalStatus& status) {
+    return status.goal_id.id == own_id_ && status.status != actionlib_msgs::GoalStatus::RECALLING;
+  };
+  has_arrived_ = has_arrived_ || std::any_of(msg.status_list.begin(), msg.status_list.end(), is_own);
 }
 
 template <class Action>

@@ -36,11 +36,15 @@ class ActionLink {
   void start(const Goal& goal);
   /// Cancels all goals, whichever client sent them.
   void cancelAll();
-  /// Cancels the goal that was sent here, if it may still be active.
+  /// Cancels the goal that was sent here, if it may still be active, also if it has yet to arrive.
   void cancelOwn();
+  /// The same only while the server has not shown the goal: an emergency stop ends one that has arrived, but not one
+  /// that still waits in a link that is away.
+  void cancelUnlessArrived();
   teleop::ActionView view() const;
 
  private:
+  void cancelById();
   void onStatus(const actionlib_msgs::GoalStatusArray& msg);
   void onFeedback(const ActionFeedback& msg);
   void onResult(const ActionResult& msg);
@@ -49,8 +53,9 @@ class ActionLink {
   OperatorLog log_;
   Logs logs_;
   actionlib::GoalIDGenerator ids_;
-  mutable std::mutex mutex_;  ///< guards the three that follow
+  mutable std::mutex mutex_;  ///< guards the four that follow
   std::string own_id_;        ///< of the goal sent here; empty if there is none or it has ended
+  bool has_arrived_ = false;  ///< the server has shown that goal
   teleop::ActionView view_;
   std::optional<SteadyTime> heard_;  ///< when the server last sent its status
   ros::Publisher goal_publisher_, cancel_publisher_;

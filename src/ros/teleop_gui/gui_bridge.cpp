@@ -182,6 +182,10 @@ void GuiBridge::followWaypoints(const std::vector<Pose2>& poses) {
 
 void GuiBridge::dropWhatWaits(const std::string& why) {
   for (ServiceCaller* caller : {&caller_, &arbiter_caller_, &map_caller_}) caller->dropWhatWaits(why);
+  patrol_.cancelUnlessArrived();
+  spin_.cancelUnlessArrived();
+  waypoints_.cancelUnlessArrived();
+  navigate_.cancelUnlessArrived();
 }
 
 void GuiBridge::request(const teleop::OperatorRequest& request) {

@@ -71,7 +71,8 @@ class GuiBridge : public teleop::OperatorLink {
   void onMapAnswer(bool success, const std::string& message);
   /// Whether somebody has asked for a stop since the last status.
   bool isAnotherStop(const ArbiterStatus& msg) const;
-  /// Drops the calls that a stop which came after them has overtaken.
+  /// Drops the calls that a stop which came after them has overtaken, and cancels the goals that are still on their
+  /// way: they would begin after its clear.
   void dropWhatWaits(const std::string& why);
   void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);

@@ -76,10 +76,12 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   using GoalID = actionlib_msgs::GoalID;
   using GoalStatus = actionlib_msgs::GoalStatus;
   using Lock = boost::recursive_mutex::scoped_lock;
+  using Tracked = actionlib::StatusTracker<Action>;
 
   static constexpr std::uint32_t kQueue = 50;
-  static constexpr double kStatusPeriod = 0.2;                  ///< [s]
-  static constexpr Duration kMemory = std::chrono::seconds(5);  ///< of a goal that has ended
+  static constexpr double kStatusPeriod = 0.2;                           ///< [s]
+  static constexpr Duration kMemory = std::chrono::seconds(5);           ///< of a goal that has ended
+  static constexpr Duration kMemoryOfCancels = std::chrono::minutes(2);  ///< of goals that a link may hold back
 
   void initialize() override {
     const std::string goal_topic = name_ + "/goal", cancel_topic = name_ + "/cancel", status_topic = name_ + "/status";
@@ -132,11 +134,11 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     return goal;
   }
 
+  static bool isRecalling(const Tracked& tracked) { return tracked.status_.status == GoalStatus::RECALLING; }
+
   bool isRecalling(const std::string& id) const {
-    const auto& list = this->status_list_;
-    return std::any_of(list.begin(), list.end(), [&](const auto& tracked) {
-      return tracked.status_.goal_id.id == id && tracked.status_.status == GoalStatus::RECALLING;
-    });
+    const auto recalls = [&](const Tracked& goal) { return goal.status_.goal_id.id == id && isRecalling(goal); };
+    return std::any_of(this->status_list_.begin(), this->status_list_.end(), recalls);
   }
 
   void takeCancel(const GoalID& msg) {
@@ -162,7 +164,8 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
       ros::Time& ended = it->handle_destruction_time_;
       if (has_ended) it->goal_.reset();  // which may be large; nobody can ask for it any more
       if (has_ended) ended = ended.isZero() ? toRosTime(now) : stampOrNow(ended, now);
-      if (has_ended && (excess > 0 || now - toTime(ended) > kMemory)) {
+      const Duration memory = isRecalling(*it) ? kMemoryOfCancels : kMemory;
+      if (has_ended && (excess > 0 || now - toTime(ended) > memory)) {
         it = list.erase(it);
         excess -= excess > 0 ? 1U : 0U;
       } else {
@@ -171,12 +174,20 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     }
   }
 
+  /// Whether clients are told of it. They take a cancel that waits for its goal for a goal that is pursued.
+  static bool isShown(const Tracked& tracked, Time now) {
+    const ros::Time& ended = tracked.handle_destruction_time_;
+    return !isRecalling(tracked) || ended.isZero() || now - toTime(ended) <= kMemory;
+  }
+
   void publishStatus() override {
     const Lock lock(this->lock_);
     actionlib_msgs::GoalStatusArray msg;
     msg.header.stamp = ros::Time::now();
     msg.status_list.reserve(this->status_list_.size());
-    for (const auto& tracked : this->status_list_) msg.status_list.push_back(tracked.status_);
+    for (const Tracked& tracked : this->status_list_) {
+      if (isShown(tracked, rosNow())) msg.status_list.push_back(tracked.status_);
+    }
     status_.publish(msg);
   }
 
