@@ -163,11 +163,11 @@ def parameters_section(settings, known):
     """`known`: whether the defaults were found."""
     rows = []
     for setting in settings:
-        value = ('%s %s' % (in_words(setting.value), setting.unit)).strip()
+        value, default = (('%s %s' % (in_words(what), setting.unit)).strip() for what in (setting.value, setting.default))
         if setting.changed_to is not None:
             value += ', at the end %s' % in_words(setting.changed_to)
         who = ', '.join(setting.nodes) if len(setting.nodes) < 4 else '%d nodes' % len(setting.nodes)
-        rows.append((('code', setting.name), value, '?' if setting.default is None else in_words(setting.default), who,
+        rows.append((('code', setting.name), value, '?' if setting.default is None else default, who,
                      setting.meaning))
     about = 'What was set on the parameter server and differs from the default of its node.' if known else \
         'The defaults are not known here: everything that was set is shown.'

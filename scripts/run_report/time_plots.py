@@ -1,5 +1,6 @@
 """The plots over time: explored area, who drove, what happened, CPU and memory."""
 import math
+import re
 
 from . import goals as outcomes
 from .drawing import COLOURS, few_ticks, name_of, new_axes, styled, time_axis, to_svg
@@ -109,6 +110,11 @@ def events_plot(run):
     return rows_plot(run, happened, 'events', 'Stops, contacts, recoveries and warnings over time') if happened else None
 
 
+def without_numbers(node):
+    """Without the process and the time that rospy adds to the name of a program which may run more than once."""
+    return re.sub('_[0-9]+_[0-9]{13}$', '', node)
+
+
 def load_plot(run, column, scale, unit, name, title):
     """A line for each of the nodes that used most in all, in this order."""
     nodes = sorted(run.load.nodes.items(), key=lambda item: -sum(sample[column] for sample in item[1]))[:BUSIEST]
@@ -118,7 +124,7 @@ def load_plot(run, column, scale, unit, name, title):
         figure, axes = new_axes(2.9)
         for index, (node, samples) in enumerate(nodes):
             axes.plot([sample[0] - run.begin for sample in samples], [scale * sample[column] for sample in samples],
-                      color=COLOURS['c%d' % (index + 1)], linewidth=1.4, label=name_of(node.lstrip('/')))
+                      color=COLOURS['c%d' % (index + 1)], linewidth=1.4, label=name_of(without_numbers(node.lstrip('/'))))
         axes.set_ylabel(unit)
         axes.set_ylim(0.0, 1.08 * max(scale * sample[column] for _, samples in nodes for sample in samples) or 1.0)
         few_ticks(axes.yaxis)

@@ -87,7 +87,7 @@ void checkTime(const Observation& seen, Findings& findings) {
   } else {
     good(findings,
          seen.use_sim_time
-             ? "time: simulated, /clock runs (start navigation.launch: real_robot.launch sets the computer's clock)"
+             ? "time: simulated, /clock runs (start navigation.launch, not real_robot.launch, which sets the computer's clock)"
              : "time: this computer's clock");
   }
 }
