@@ -22,7 +22,7 @@ import robots_launcher  # noqa: E402
 
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
 # All the others know the robot.
-NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'waypoint_follower'}
+NEEDS_NOTHING = {'rviz', 'fitted_rviz.py', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'waypoint_follower'}
 OWN_ROBOT = {'turtlebot2.launch', 'turtlebot3.launch'}  # their default need not be a Burger
 TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch', 'gui_turtlebot_system.launch',
                'real_robot.launch', 'check_robot.launch'}
@@ -31,7 +31,7 @@ HAS_A_MAPPER = {name + '.launch' for name in ('navigation', 'system', 'robot', '
 NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
 PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server', 'patrol_server'}
 LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
-OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'obstacle_avoider',
+OBEYS_NO_LIMITS = {'rviz', 'fitted_rviz.py', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'obstacle_avoider',
                    'waypoint_follower'}
 
 

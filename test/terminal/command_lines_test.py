@@ -123,7 +123,7 @@ class CommandLines(unittest.TestCase):
 
     def test_a_program_says_that_its_output_cannot_be_written_in_one_line(self):
         buffered = {name: value for name, value in os.environ.items() if name != 'PYTHONUNBUFFERED'}
-        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report', 'map_log', 'mapper',
+        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'fitted_rviz.py', 'watch_exploration.py', 'report', 'map_log', 'mapper',
                      'check_robot', 'patrol_client', 'teleop_gui'):
             with self.subTest(program=name), open('/dev/full', 'w') as full:
                 done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stdout=full, stderr=subprocess.PIPE,
@@ -134,7 +134,7 @@ class CommandLines(unittest.TestCase):
                 self.assertEqual(done.returncode, 1)
 
     def test_a_python_program_answers_help_also_with_closed_streams(self):
-        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report'):
+        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'fitted_rviz.py', 'watch_exploration.py', 'report'):
             for closed in (0, 1):
                 with self.subTest(program=name, closed=closed):
                     done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stderr=subprocess.PIPE, timeout=60,
