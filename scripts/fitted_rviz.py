@@ -8,6 +8,7 @@ seconds, or nothing can be written in ROS_HOME, rviz opens with the view that is
 import collections
 import math
 import os
+import queue
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
@@ -47,11 +48,32 @@ def beginning_of(truth, driven):
     return {'x': truth[0] - cosine * driven[0] + sine * driven[1], 'y': truth[1] - sine * driven[0] - cosine * driven[1], 'yaw': yaw}
 
 
+def poses_of_one_moment():
+    """Where the robot is in the world, and where odometry has it, at the same time. rospy.ROSException if that is not heard."""
+    heard, pairs = {}, queue.Queue()
+
+    def take(message, topic):
+        others = heard.setdefault(message.header.stamp, {})
+        others[topic] = message
+        if len(others) == 2:
+            pairs.put(others)
+    topics = 'base_pose_ground_truth', 'odom'
+    subscribers = [rospy.Subscriber(topic, Odometry, take, callback_args=topic) for topic in topics]
+    try:
+        pair = pairs.get(timeout=PATIENCE)
+    except queue.Empty:
+        raise rospy.ROSException('no %s and %s of one moment came' % topics) from None
+    finally:
+        for subscriber in subscribers:
+            subscriber.unregister()
+    return [pose_of(pair[topic]) for topic in topics]
+
+
 def fitted(configuration):
     """The path of this configuration with a view of the whole world."""
     ros_program.begin('fitted_rviz', argv=[], anonymous=True, disable_rosout=True)
     world = world_of(rospy.wait_for_message('simulator/world', OccupancyGrid, PATIENCE))
-    truth, driven = (pose_of(rospy.wait_for_message(topic, Odometry, PATIENCE)) for topic in ('base_pose_ground_truth', 'odom'))
+    truth, driven = poses_of_one_moment()
     path = os.path.join(rospkg.get_ros_home(), 'frontier_pilot', 'fitted.rviz')
     os.makedirs(os.path.dirname(path), exist_ok=True)
     part = '%s.%d' % (path, os.getpid())
