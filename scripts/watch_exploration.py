@@ -68,6 +68,7 @@ class Watcher:
 
     def __init__(self, period):
         self.period = period  # of the progress lines, in seconds of wall time
+        self.starter = None  # which starts the exploration, if this program is to
         self.status = None
         self.counts = Counts()  # an explorer that died counts anew
         self.started = None  # when the first goal was sent, in simulated time
@@ -115,7 +116,12 @@ class Watcher:
         status = self.status
         return '%6.0f s  explored %7.1f m2%s  driven %6.1f m  frontiers %3d  goals: %s  %s: %s%s' % (
             self.elapsed(), status.explored_area, estimate_of(status), status.distance_travelled, status.frontiers_selectable,
-            goals_of(status), status.state_text, status.reason_text, self.way_out_of_a_pause())
+            goals_of(status), status.state_text, self.reason(), self.way_out_of_a_pause())
+
+    def reason(self):
+        """Why the explorer is in its state; of a pause in which the exploration has not begun the starter knows more."""
+        waits = self.starter and not self.starter.settled and self.status.reason == ExplorerStatus.PAUSED
+        return 'waiting for the recorder' if waits else self.status.reason_text
 
     def way_out_of_a_pause(self):
         """How an exploration that had begun goes on after it was paused, by somebody or because a stop was cleared."""
@@ -305,7 +311,7 @@ def main():
     watcher = Watcher(arguments.period)
     if arguments.saved_already or arguments.save_at_end:
         return save_at_the_end(watcher, interrupt, arguments.map, arguments.saved_already)
-    starter = Starter() if arguments.start_when_recorded else None
+    starter = watcher.starter = Starter() if arguments.start_when_recorded else None
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
         if not watcher.progress():
             interrupt.lose(signal.SIGPIPE)

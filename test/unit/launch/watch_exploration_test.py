@@ -189,6 +189,20 @@ class Line(unittest.TestCase):
             watcher.on_status(ExplorerStatus(goals_sent=1, reason=ExplorerStatus.GOAL_SENT))
             self.assertNotIn('rosservice', watcher.line())
 
+    def test_a_line_says_that_the_exploration_waits_for_the_recorder(self):
+        paused = ExplorerStatus(reason=ExplorerStatus.PAUSED, state_text='IDLE', reason_text='paused')
+        with mock.patch('rospy.Subscriber'):
+            watcher = watch_exploration.Watcher(5.0)
+            watcher.on_status(paused)
+            self.assertTrue(watcher.line().endswith('IDLE: paused'), 'nothing is to be recorded')
+            watcher.starter = watch_exploration.Starter()
+            self.assertTrue(watcher.line().endswith('IDLE: waiting for the recorder'), watcher.line())
+            watcher.on_status(ExplorerStatus(reason=ExplorerStatus.EMERGENCY_STOP, state_text='IDLE', reason_text='emergency stop'))
+            self.assertTrue(watcher.line().endswith('IDLE: emergency stop'), watcher.line())
+            watcher.starter.settled = True  # the exploration was started, or the robot was stopped
+            watcher.on_status(paused)
+            self.assertTrue(watcher.line().endswith('IDLE: paused'), watcher.line())
+
 
 class Start(unittest.TestCase):
     def setUp(self):
