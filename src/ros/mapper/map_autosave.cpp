@@ -255,9 +255,11 @@ void MapAutosave::lose(const std::string& why) {
   mapping_since_.reset();
 }
 
-void MapAutosave::tell(MemoryReport& report) const {
-  report.setProblem("the map", problem().empty() ? schedule_.delay(steadyNow()) : problem());
+std::string MapAutosave::tell(MemoryReport& report) const {
+  const std::string delay = problem().empty() ? schedule_.delay(steadyNow()) : std::string();
+  const std::string counts = report.setProblem("the map", delay.empty() ? problem() : delay);
   report.setLoss("the map that the mapper had when it died", loss_);
+  return delay.empty() ? counts : std::string();
 }
 
 void MapAutosave::supersede() {

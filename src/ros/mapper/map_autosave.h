@@ -80,8 +80,9 @@ class MapAutosave {
   void lose(const std::string& why);
   /// Why the map of the mapper that died is lost, and where its files are; empty if it is not.
   const std::string& loss() const { return loss_; }
-  /// Reports what would be lost with this node, and what was lost with the one before it.
-  void tell(MemoryReport& report) const;
+  /// Reports what would be lost with this node, and what was lost with the one before it. Returns the problem() that
+  /// counts.
+  std::string tell(MemoryReport& report) const;
   /// Why the last map or pose could not be saved; empty if they were.
   const std::string& problem() const { return problem_.empty() ? pose_problem_ : problem_; }
   /// Changes to the ROS session with these names.

@@ -110,6 +110,7 @@ class MapperAdapter {
   MapSaver saver_;
   MapSearcher searcher_;
   MapAutosave autosave_{parameters_.map_file};
+  std::string warned_of_;                      ///< why the map would not survive, as the log was told last
   bool looked_for_ = false;                    ///< whether the robot is to be found on a known map
   std::optional<Restored> restored_;           ///< until resume() has taken it over
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master

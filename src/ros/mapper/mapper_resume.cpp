@@ -109,12 +109,12 @@ void MapperAdapter::autosave() {
   if (parameters_.autosave_period == 0.0) return;
   if (const auto session = session_.take()) autosave_.enter(*session);
   if (restored_) return;  // the copy that is there is worth more than what the mapper has until it continues with it
-  const std::string before = autosave_.problem();
   const MapContent content{mapper_.counts()[mapping::ScanVerdict::kInserted], mapper_.revisions().rendered};
   autosave_.save(mapper_.map(), {T_map_odom(), mapper_.isLocalized()}, content,
                  [this](std::function<void()> job) { saver_.run(std::move(job)); });
-  if (autosave_.problem().empty() || autosave_.problem() == before) return;
-  THROTTLED_WARN("the map would not survive this node: " << autosave_.problem());
+  const std::string problem = autosave_.tell(connections_.memory());
+  if (problem == std::exchange(warned_of_, problem) || problem.empty()) return;
+  THROTTLED_WARN("the map would not survive this node: " << problem);
 }
 
 }  // namespace frontier_pilot

@@ -41,7 +41,7 @@ void setDiskPatience(Duration patience) {
 }
 
 std::string onDisk(const std::function<std::string()>& job) {
-  return diskThread().run<std::string>(job).value_or("the disk does not answer");
+  return diskThread().run<std::string>(job).value_or(kSilentDisk);
 }
 
 std::vector<fs::path> entriesOf(const fs::path& folder) {

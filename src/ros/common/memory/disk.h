@@ -24,6 +24,8 @@ std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder
 PatientThread& diskThread();
 /// Waits longer for the disk from now on, for a unit test on a machine that may give its threads no time for 50 ms.
 void setDiskPatience(Duration patience);
+/// What is said of a disk that does not answer in time.
+constexpr const char* kSilentDisk = "the disk does not answer";
 /// What `job`, which owns all that it uses, says that went wrong on the disk; empty if nothing did.
 std::string onDisk(const std::function<std::string()>& job);
 

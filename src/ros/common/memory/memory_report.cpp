@@ -2,8 +2,14 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include <chrono>
+
+#include "ros/common/memory/disk.h"
+
 namespace frontier_pilot {
 namespace {
+
+constexpr Duration kLateWrite = std::chrono::seconds(5);  // a disk that is silent for less is only slow
 
 void mergeReasons(const std::map<std::string, std::string>& reasons, unsigned char level, const std::string& verb,
                   diagnostic_updater::DiagnosticStatusWrapper& status) {
@@ -17,8 +23,25 @@ void mergeReasons(const std::map<std::string, std::string>& reasons, unsigned ch
 
 }  // namespace
 
-void MemoryReport::set(Reasons& reasons, const std::string& what, const std::string& why) {
+std::string MemoryReport::setProblem(const std::string& what, const std::string& problem, SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  bool counts = true;
+  if (problem == kSilentDisk) {
+    counts = now - silent_since_.emplace(what, now).first->second >= kLateWrite;
+  } else {
+    silent_since_.erase(what);
+  }
+  const std::string counted = counts ? problem : std::string();
+  set(problems_, what, counted);
+  return counted;
+}
+
+void MemoryReport::setLoss(const std::string& what, const std::string& why) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  set(losses_, what, why);
+}
+
+void MemoryReport::set(Reasons& reasons, const std::string& what, const std::string& why) {
   if (why.empty()) {
     reasons.erase(what);
   } else {

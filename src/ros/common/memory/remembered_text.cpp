@@ -73,12 +73,12 @@ std::string RememberedText::store() const {
 
 /// Nothing is lost as long as there is no text: that is only in the diagnostics.
 void RememberedText::tell(const std::string& problem) {
-  report_.setProblem(what_, problem);
-  if (!text_ || problem.empty()) {
+  const std::string counts = report_.setProblem(what_, problem);
+  if (!text_ || counts.empty()) {
     warned_of_.clear();
-  } else if (problem != warned_of_) {
-    warned_of_ = problem;
-    THROTTLED_WARN(what_ << " would not survive this node: " << problem);
+  } else if (counts != warned_of_) {
+    warned_of_ = counts;
+    THROTTLED_WARN(what_ << " would not survive this node: " << counts);
   }
 }
 
