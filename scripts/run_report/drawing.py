@@ -44,6 +44,13 @@ def new_axes(height, width=WIDTH):
     return figure, figure.add_subplot()
 
 
+def new_axes_one_above_the_other(height, count, width=WIDTH):
+    """A figure with so many axes of one width, each of this height. Call within a `styled()` context."""
+    figure = Figure(figsize=(width, count * height), layout='constrained')
+    FigureCanvasSVG(figure)
+    return figure, figure.subplots(count)
+
+
 def styled():
     """The context in which plots are drawn."""
     return matplotlib.rc_context(STYLE)

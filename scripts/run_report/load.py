@@ -1,8 +1,13 @@
 """CPU time and memory of the nodes over the run."""
-
+import re
 
 MOST_CORES = 1e4  # that a process can use
 STARTED_BY_PEOPLE = ('/patrol_client', '/teleop_gui')  # who end them and start them again as they like
+
+
+def without_numbers(node):
+    """The name of a node without what ROS has put behind that of an anonymous one: the process and the time, or the time alone."""
+    return re.sub('(_[0-9]+)?_[0-9]{13,19}$', '', node) or node
 
 
 def is_time(value):

@@ -2,12 +2,14 @@
 import datetime
 import html
 import os
+import re
 
 from command_line import printable
 
 from . import map_plot, summary, time_plots
 from .drawing import clock
 from .intervals import total
+from .load import without_numbers
 from .output_file import MARK
 from .warnings import Warnings
 
@@ -31,7 +33,10 @@ def table(heads, rows, css=''):
 
     def cell(tag, content):
         kind, text = content if isinstance(content, tuple) else ('', content)
-        return '<%s%s>%s</%s>' % (tag, ' class="%s"' % kind if kind else '', escape(str(text)), tag)
+        words = escape(str(text))
+        if kind in ('code', 'value'):
+            words = re.sub('([/_])', r'\1<wbr>', words)  # may be broken there, or a path is wider than the page
+        return '<%s%s>%s</%s>' % (tag, ' class="%s"' % kind if kind else '', words, tag)
     lines = ['<tr>%s</tr>' % ''.join(cell('th', head) for head in heads)]
     lines += ['<tr>%s</tr>' % ''.join(cell('td', content) for content in row) for row in rows[:MOST_ROWS]]
     return '<div class="wide"><table class="%s">%s</table></div>%s' % (css, '\n'.join(lines), those_left_out(rows))
@@ -105,6 +110,10 @@ def in_words(value):
     return str(value).lower() if isinstance(value, bool) else '(empty)' if value in ('', '""') else str(value)
 
 
+def with_unit(value, unit):
+    return ('%s %s' % (in_words(value), unit)).strip()
+
+
 def events_section(run):
     rows = [(clock(time - run.begin), action, text) for time, action, text in run.actions]
     rows += [(clock(begin - run.begin), 'recovery', '%s, for %s' % (text, duration(end - begin)))
@@ -140,12 +149,12 @@ def diagnostics_section(run):
 
 
 def load_section(run):
-    rows = [(node.lstrip('/'), '%.1f' % (100.0 * mean), '%.1f' % (100.0 * most), '%.0f' % (1e-6 * memory))
+    rows = [(without_numbers(node.lstrip('/')), '%.1f' % (100.0 * mean), '%.1f' % (100.0 * most), '%.0f' % (1e-6 * memory))
             for node, mean, most, memory in run.load.rows()]
     whole = sum(mean for _, mean, _, _ in run.load.rows())
     about = 'All nodes together used %.0f %% of a core on average. Only nodes on the computer of the recorder are measured.' % (
         100.0 * whole)
-    return section('load', 'CPU time and memory', plot(time_plots.cpu_plot(run)), plot(time_plots.memory_plot(run)),
+    return section('load', 'CPU time and memory', plot(time_plots.load_plot(run)),
                    table(('node', 'CPU mean [%]', 'CPU most [%]', 'memory most [MB]'), rows, 'numbers'), about=about if rows else '')
 
 
@@ -163,12 +172,12 @@ def parameters_section(settings, known):
     """`known`: whether the defaults were found."""
     rows = []
     for setting in settings:
-        value, default = (('%s %s' % (in_words(what), setting.unit)).strip() for what in (setting.value, setting.default))
+        value = with_unit(setting.value, setting.unit)
         if setting.changed_to is not None:
-            value += ', at the end %s' % in_words(setting.changed_to)
+            value += ', at the end %s' % with_unit(setting.changed_to, setting.unit)
+        default = '?' if setting.default is None else with_unit(setting.default, setting.unit)
         who = ', '.join(setting.nodes) if len(setting.nodes) < 4 else '%d nodes' % len(setting.nodes)
-        rows.append((('code', setting.name), value, '?' if setting.default is None else default, who,
-                     setting.meaning))
+        rows.append((('code', setting.name), ('value', value), ('value', default), who, setting.meaning))
     about = 'What was set on the parameter server and differs from the default of its node.' if known else \
         'The defaults are not known here: everything that was set is shown.'
     return section('parameters', 'Parameters that differ from the defaults',

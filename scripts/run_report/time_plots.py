@@ -1,10 +1,10 @@
 """The plots over time: explored area, who drove, what happened, CPU and memory."""
 import math
-import re
 
 from . import goals as outcomes
-from .drawing import COLOURS, few_ticks, name_of, new_axes, styled, time_axis, to_svg
+from .drawing import COLOURS, few_ticks, name_of, new_axes, new_axes_one_above_the_other, styled, time_axis, to_svg
 from .intervals import total
+from .load import without_numbers
 
 SOURCE_COLOURS = {'avoid': 'c8', 'behavior': 'c5', 'patrol': 'c2', 'nav': 'c1', 'manual': 'c3'}
 MOST_SOURCES = 20  # with a row in the plot
@@ -110,32 +110,25 @@ def events_plot(run):
     return rows_plot(run, happened, 'events', 'Stops, contacts, recoveries and warnings over time') if happened else None
 
 
-def without_numbers(node):
-    """Without the process and the time that rospy adds to the name of a program which may run more than once."""
-    return re.sub('_[0-9]+_[0-9]{13}$', '', node)
-
-
-def load_plot(run, column, scale, unit, name, title):
-    """A line for each of the nodes that used most in all, in this order."""
-    nodes = sorted(run.load.nodes.items(), key=lambda item: -sum(sample[column] for sample in item[1]))[:BUSIEST]
-    if not nodes:
+def load_plot(run):
+    """CPU time above memory, on one axis of time; None where neither was measured."""
+    if not run.load.nodes:
         return None
     with styled():
-        figure, axes = new_axes(2.9)
-        for index, (node, samples) in enumerate(nodes):
-            axes.plot([sample[0] - run.begin for sample in samples], [scale * sample[column] for sample in samples],
-                      color=COLOURS['c%d' % (index + 1)], linewidth=1.4, label=name_of(without_numbers(node.lstrip('/'))))
-        axes.set_ylabel(unit)
-        axes.set_ylim(0.0, 1.08 * max(scale * sample[column] for _, samples in nodes for sample in samples) or 1.0)
-        few_ticks(axes.yaxis)
-        time_axis(axes, run.end - run.begin)
-        axes.legend(loc='upper left', frameon=False, bbox_to_anchor=(1.0, 1.03), handlelength=1.2)
-        return to_svg(figure, name, title)
+        figure, (upper, lower) = new_axes_one_above_the_other(2.9, 2)
+        draw_load(upper, run, 1, 100.0, 'CPU [% of a core]')
+        draw_load(lower, run, 2, 1e-6, 'memory [MB]')
+        return to_svg(figure, 'load', 'CPU time and memory of the nodes')
 
 
-def cpu_plot(run):
-    return load_plot(run, 1, 100.0, 'CPU [% of a core]', 'cpu', 'CPU time of the nodes')
-
-
-def memory_plot(run):
-    return load_plot(run, 2, 1e-6, 'memory [MB]', 'memory', 'Memory of the nodes')
+def draw_load(axes, run, column, scale, unit):
+    """A line for each of the nodes that used most in all, in this order."""
+    nodes = sorted(run.load.nodes.items(), key=lambda item: -sum(sample[column] for sample in item[1]))[:BUSIEST]
+    for index, (node, samples) in enumerate(nodes):
+        axes.plot([sample[0] - run.begin for sample in samples], [scale * sample[column] for sample in samples],
+                  color=COLOURS['c%d' % (index + 1)], linewidth=1.4, label=name_of(without_numbers(node.lstrip('/'))))
+    axes.set_ylabel(unit)
+    axes.set_ylim(0.0, 1.08 * max(scale * sample[column] for _, samples in nodes for sample in samples) or 1.0)
+    few_ticks(axes.yaxis)
+    time_axis(axes, run.end - run.begin)
+    axes.legend(loc='upper left', frameon=False, bbox_to_anchor=(1.0, 1.03), handlelength=1.2)

@@ -19,7 +19,7 @@ from run_report import drawing, goals, parameters, summary, time_plots
 from run_report.bag_files import BagFiles
 from run_report.intervals import States, merged, total
 from run_report.load import Load
-from run_report.page import page
+from run_report.page import page, parameters_section
 from run_report.run import Run, read_info
 from run_report.warnings import Warnings
 
@@ -282,6 +282,22 @@ class Reading(SyntheticRun):
         self.assertLess(float(re.search(r'viewBox="0 0 [\d.]+ ([\d.]+)"', drawn).group(1)), 500.0)
         self.assertIn('and 4982 more, which were in command for less time', made)
 
+    def test_cpu_and_memory_are_on_one_axis_of_time_and_anonymous_nodes_are_called_by_their_names(self):
+        run = self.run_read
+        times = [run.begin + second for second in (0.0, 20.0, 40.0)]
+        for node, cpu, memory in (('/watch_exploration_5175_1796085781523', 0.1, 3e9), ('/rostopic_1796085781523141592', 0.2, 5.0),
+                                  ('/floor_2', 0.3, 6.0)):
+            run.load.nodes[node] = [(time, cpu, memory) for time in times]
+        made = page(run, [], True, [])
+        self.assertNotIn('1796085781523', made)
+        drawn = re.search('<svg[^>]*class="load".*?</svg>', made, re.DOTALL).group()
+        for name in ('watch_exploration', 'rostopic', 'floor_2'):
+            self.assertEqual(drawn.count('>%s<' % name), 2, name)
+            self.assertIn('<td>%s</td>' % name, made)
+        sides = [re.search(r'id="load-axes_%d">.*?d="M ([\d.]+) [\d.]+ *\n?L ([\d.]+) ' % number, drawn, re.DOTALL).groups()
+                 for number in (1, 2)]
+        self.assertEqual(sides[0], sides[1])
+
     def test_a_run_of_many_statuses_takes_no_memory_for_the_frontiers_of_earlier_ones(self):
         path = self.path('frontiers.bag')
         with rosbag.Bag(path, 'w') as bag:
@@ -324,6 +340,12 @@ class Parameters(FolderCase):
     def test_only_what_differs_from_its_default_is_left(self):
         start = {'navigator': {'goal_tolerance': 0.2, 'use_goal_yaw': True}, 'mapper': {'map_file': ''}, 'rviz': {'x': 1}}
         self.assertEqual(self.differing(start), [(['navigator'], 'use_goal_yaw', True, 'false', None)])
+
+    def test_the_default_has_its_unit_as_the_value_has_and_a_long_path_may_be_broken(self):
+        settings = parameters.differing({'navigator': {'goal_tolerance': 0.3}, 'mapper': {'map_file': '/tmp/floor.yaml'}}, {}, self.TABLES)
+        made = parameters_section(settings, True)
+        self.assertIn('<td class="value">0.3 m</td><td class="value">0.2 m</td>', made)
+        self.assertIn('/<wbr>tmp/<wbr>floor.yaml', made)
 
     def test_what_many_nodes_share_stands_once(self):
         limits = {'robot': {'limits': {'max_linear': 0.5}}}
