@@ -85,10 +85,9 @@ void checkTime(const Observation& seen, Findings& findings) {
         joined(clock->publishers) + " publishes /clock, but use_sim_time is not true: its stamps are of another time",
         "rosparam set use_sim_time true before the nodes start, or end that node");
   } else {
-    good(findings,
-         seen.use_sim_time
-             ? "time: simulated, /clock runs (start navigation.launch, not real_robot.launch, which sets the computer's clock)"
-             : "time: this computer's clock");
+    good(findings, seen.use_sim_time ? "time: simulated, /clock runs (start navigation.launch, not real_robot.launch, "
+                                       "which sets the computer's clock)"
+                                     : "time: this computer's clock");
   }
 }
 

@@ -7,11 +7,13 @@
 #include <limits>
 #include <sstream>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
+#include "ros/common/clock.h"
 #include "ros/common/memory/disk.h"
 #include "ros/common/memory/session_memory.h"
 #include "ros/common/messages/message_problems.h"
@@ -137,6 +139,15 @@ std::string renew(const std::vector<fs::path>& poses) {
     if (error) problem = pose.string() + ": " + error.message();
   }
   return problem;
+}
+
+std::string rememberInTime(const SessionMemory& memory, const std::string& pose) {
+  const SteadyTime end = steadyNow() + std::chrono::seconds(2);
+  for (;;) {
+    std::string problem = memory.remember(pose);
+    if (problem.empty() || steadyNow() >= end) return problem;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 }
 
 }  // namespace frontier_pilot::kept_map

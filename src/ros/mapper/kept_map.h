@@ -34,6 +34,9 @@ std::string whereItIs(const std::string& lost);
 std::string renew(const std::vector<std::filesystem::path>& poses);
 /// The base of the map that was put aside last; empty if none is there.
 std::string lastSetAside(const std::filesystem::path& base);
+/// Stores the pose beside a map, on a thread that may wait for a disk which is busy for a moment. Returns why it could
+/// not be; empty if it was.
+std::string rememberInTime(const SessionMemory& memory, const std::string& pose);
 
 }  // namespace frontier_pilot::kept_map
 

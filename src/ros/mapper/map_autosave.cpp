@@ -45,16 +45,6 @@ std::string setPreviousAside(const SessionMemory& memory, const SessionMemory& r
   return words;
 }
 
-/// Stores the pose, on a thread that may wait for a disk which is busy for a moment. Returns why it could not be.
-std::string rememberInTime(const SessionMemory& memory, const std::string& pose) {
-  const SteadyTime end = steadyNow() + std::chrono::seconds(2);
-  for (;;) {
-    std::string problem = memory.remember(pose);
-    if (problem.empty() || steadyNow() >= end) return problem;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-}
-
 /// Returns why it could not be saved; empty if it was. If the copy that is there is of the previous map, `lost` is the
 /// pose, marked as one at which the robot has to be looked for; else it is empty.
 std::string save(const map_files::MapSnapshot& map, const SavedPose& pose, const std::string& lost,
@@ -65,7 +55,7 @@ std::string save(const map_files::MapSnapshot& map, const SavedPose& pose, const
   fs::create_directories(base.parent_path(), error);
   if (!lost.empty() && kept_map::exists(base)) {
     // With whichever of the two maps a mapper begins, its pose is not that of the other one.
-    const std::string problem = rememberInTime(memory, lost);
+    const std::string problem = kept_map::rememberInTime(memory, lost);
     if (!problem.empty()) return joined(problem, setPreviousAside(memory, replaced));
   }
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);

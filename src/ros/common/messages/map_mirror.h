@@ -146,7 +146,7 @@ class MapMirror {
   Rejections rejections_{"map message"};
   NodeConnections* connections_ = nullptr;  ///< null before `subscribe`
   ros::Subscriber map_subscriber_, updates_subscriber_, changes_subscriber_;
-  bool refused_a_map_ = false;  ///< since the map was last asked for, or last came from its owner
+  bool refused_a_map_ = false;   ///< since the map was last asked for, or last came from its owner
   bool left_map_aside_ = false;  ///< since `map` was last subscribed to: its owner also sent `map_changes`
 };
 
