@@ -13,12 +13,15 @@
 namespace frontier_pilot::gui {
 namespace {
 
-/// Wide enough for four columns, if the screen is wide enough.
+/// Wide enough for four columns. On a screen that is too narrow for these the columns are fewer and longer, and the
+/// window is as high as the screen.
 QSize windowSize(const QWidget& widget) {
   const int em = emOf(widget);
   const QSize wanted(em * 86, em * 46);
   const QScreen* screen = QGuiApplication::primaryScreen();
-  return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
+  if (screen == nullptr) return wanted;
+  const QSize room = screen->availableSize() * 0.95;
+  return room.width() < wanted.width() ? room : wanted.boundedTo(room);
 }
 
 std::function<void(const std::string&)> g_say_why_not;
