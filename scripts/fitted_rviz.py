@@ -2,8 +2,8 @@
 """Opens rviz with a view of the whole simulated world, in the frame of a map that begins where the robot does.
 
 The world is known by simulator/world, and where the map begins by base_pose_ground_truth and odom. If they do not come within ten
-seconds, or nothing can be written in ROS_HOME, rviz opens with the view that is in its configuration. All words are those of rviz,
--d CONFIGURATION among them. The exit code is that of rviz.
+seconds, or nothing can be written in ROS_HOME, rviz opens with the view that is in its configuration. Remappings and parameters are
+passed on to rviz, whose exit code is that of this program.
 """
 import collections
 import math
@@ -85,20 +85,22 @@ def fitted(configuration):
 def main():
     parser = CommandLine(__doc__, 'rosrun frontier_pilot fitted_rviz.py -d $(rospack find frontier_pilot)/rviz/explorer.rviz')
     parser.add_argument('-d', dest='configuration', required=True, help="rviz's configuration, whose view is fitted")
-    arguments, words = parser.parse_known_args()
+    parser.add_argument('-f', dest='frame', help='the fixed frame, in place of the one in the configuration')
+    arguments = parser.parse_args(rospy.myargv()[1:])
     configuration = arguments.configuration
     try:
         configuration = fitted(configuration)
-        rospy.signal_shutdown('rviz takes its place')
     except rospy.ROSInterruptException:
         return 130
     except (OSError, rospy.ROSException) as error:
         say('fitted_rviz.py: the view is not fitted to the world: %s' % error, sys.stderr)
+    rospy.signal_shutdown('rviz takes its place')
     rviz = roslib.packages.find_node('rviz', 'rviz')
     if not rviz:
         say('fitted_rviz.py: rviz is not installed', sys.stderr)
         return 1
-    os.execv(rviz[0], [rviz[0], '-d', configuration] + words)
+    frame = ['-f', arguments.frame] if arguments.frame else []
+    os.execv(rviz[0], [rviz[0], '-d', configuration] + frame + [word for word in sys.argv[1:] if ':=' in word])
 
 
 if __name__ == '__main__':
