@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from system_watch import SystemWatch, pid_of, wait_until  # noqa: E402
 
 LIMIT = 400.0  # seconds of wall time
-PLOTS = {'map', 'area', 'drivers', 'cpu', 'memory'}
+PLOTS = {'map', 'area', 'drivers', 'load'}
 
 
 def browse(page, *words):
