@@ -57,8 +57,8 @@ class FleetStop(unittest.TestCase):
     def clear(self, robot):
         self.assertTrue(wait_for(lambda: call('/%s/set_emergency_stop' % robot, SetBool, False).success, 5.0))
 
-    def stopped(self, robot):
-        return wait_for(lambda: self.status[robot].last is not None and self.status[robot].last.emergency_stop, 3.0)
+    def stopped(self, robot, patience=3.0):
+        return wait_for(lambda: self.status[robot].last is not None and self.status[robot].last.emergency_stop, patience)
 
     def stop(self):
         began = time.monotonic()
@@ -115,7 +115,7 @@ class FleetStop(unittest.TestCase):
         self.arbiters['robot2'].signal(signal.SIGKILL)
         self.assertFalse(self.stop()[0].success)
         self.arbiters['robot2'] = self.arbiter('robot2')
-        self.assertTrue(self.stopped('robot2'), '[MUL-4]')
+        self.assertTrue(self.stopped('robot2', 20.0), '[MUL-4]')  # it has to start first
         self.clear('robot2')
         rospy.sleep(1.5)
         self.assertFalse(self.status['robot2'].last.emergency_stop, 'it is asked only until it has confirmed')
