@@ -31,7 +31,7 @@ std::string MemoryReport::setProblem(const std::string& what, const std::string&
   } else {
     silent_since_.erase(what);
   }
-  const std::string counted = counts ? problem : std::string();
+  std::string counted = counts ? problem : std::string();
   set(problems_, what, counted);
   return counted;
 }
