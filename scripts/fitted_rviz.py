@@ -77,8 +77,12 @@ def fitted(configuration):
     path = os.path.join(rospkg.get_ros_home(), 'frontier_pilot', 'fitted.rviz')
     os.makedirs(os.path.dirname(path), exist_ok=True)
     part = '%s.%d' % (path, os.getpid())
-    write_configuration(configuration, part, [], view_of(world, beginning_of(truth, driven)))
-    os.replace(part, path)
+    try:
+        write_configuration(configuration, part, [], view_of(world, beginning_of(truth, driven)))
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
     return path
 
 

@@ -105,7 +105,9 @@ class Registration(unittest.TestCase):
     # [ARB-12]
     def test_the_stop_is_registered_again_within_2_s_of_a_new_master(self):
         self.node('cmd_vel_arbiter')
-        is_registered = lambda: {'/emergency_stop', '/set_nav_enabled'} <= set(self.services())
+
+        def is_registered():
+            return {'/emergency_stop', '/set_nav_enabled'} <= set(self.services())
         self.assertTrue(wait_for(is_registered, 20.0))
         took = []
         for _ in range(3):  # the best counts: the machine may be busy

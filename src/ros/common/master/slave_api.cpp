@@ -6,7 +6,6 @@
 #include <ros/this_node.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
-
 #include <unistd.h>
 
 #include <atomic>
