@@ -76,12 +76,21 @@ class SavedMaps(unittest.TestCase):
                 self.assertEqual(os.listdir('maps') if os.path.exists('maps') else [], [], 'an empty picture is left')
 
     def hanging(self, function, is_hung):
-        """This function, but it does not return before the end of the test where `is_hung` is true of its argument."""
-        answers = threading.Event()
-        self.addCleanup(answers.set)
+        """This function, but it does not return before the end of the test where `is_hung` is true of its argument.
+
+        What hung has ended before the folder of the test is removed: it may still make folders of its own.
+        """
+        answers, hung = threading.Event(), []
+
+        def release():
+            answers.set()
+            for thread in hung:
+                thread.join()
+        self.addCleanup(release)
 
         def call(path, *arguments, **named):
             if is_hung(path):
+                hung.append(threading.current_thread())
                 answers.wait()
             return function(path, *arguments, **named)
         return call
