@@ -11,7 +11,7 @@ from run_attack.system import wait_until
 from run_attack.velocity_sources import SOURCES
 
 PATIENCE = 5.0  # [s] within which every service has to answer
-STOP_IS_KNOWN = 5.0  # [s] within which an explorer, which may just have been started, has heard that a stop is cleared
+STOP_IS_KNOWN = 5.0  # [s] within which an explorer, even one that is being started, serves and has heard that a stop is cleared
 ACTIONS = ('move_base', 'follow_waypoints', 'turtlebot3', 'spin', 'back_up', 'drive_on_heading', 'wait')
 
 
@@ -41,14 +41,14 @@ def switch(name, on):
 
 
 def explore(on, space=''):
-    """The answer of the explorer of that namespace. It is asked again as long as it answers that the robot is stopped, or that the
-    arbiter has to say first whether it was: it may not have heard yet of a clear that has just been answered, and would be paused when
-    it does."""
+    """The answer of the explorer of that namespace. It is asked to explore again as long as it answers that the robot is stopped, or that
+    the arbiter has to say first whether it was: it may not have heard yet of a clear that has just been answered, and would be paused when
+    it does. So it is while it has no service, because it is being started."""
     answers = []
 
     def knows():
         answers.append(switch(space + 'set_exploration_enabled', on))
-        return not on or answers[-1] is None or not re.search('the robot (is|was) stopped', answers[-1].message)
+        return not on or bool(answers[-1]) and not re.search('the robot (is|was) stopped', answers[-1].message)
     wait_until(knows, STOP_IS_KNOWN)
     return answers[-1]
 

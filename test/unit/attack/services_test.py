@@ -16,23 +16,23 @@ except ImportError as missing:
 class Explore(unittest.TestCase):
     """[ARB-8]"""
 
-    def test_asks_again_an_explorer_that_has_not_heard_of_the_clear(self):
-        answers = [SetBoolResponse(True, 'exploration enabled; the robot is stopped, and clearing the stop pauses it'),
+    def test_asks_again_an_explorer_that_is_being_started_or_has_not_heard_of_the_clear(self):
+        answers = [None, SetBoolResponse(True, 'exploration enabled; the robot is stopped, and clearing the stop pauses it'),
                    SetBoolResponse(True, 'exploration enabled; it waits until the arbiter says whether the robot was stopped meanwhile'),
                    SetBoolResponse(True, 'exploration enabled')]
         with mock.patch.object(services, 'switch', side_effect=answers) as switch:
             self.assertEqual(services.explore(True, '/robot1/').message, 'exploration enabled')
-        self.assertEqual(switch.call_args_list, 3 * [mock.call('/robot1/set_exploration_enabled', True)])
+        self.assertEqual(switch.call_args_list, 4 * [mock.call('/robot1/set_exploration_enabled', True)])
 
-    def test_asks_once_for_a_pause_and_where_there_is_no_explorer(self):
-        for on, answer in ((False, SetBoolResponse(True, 'exploration paused; the robot is stopped')), (True, None)):
+    def test_asks_once_for_a_pause(self):
+        for answer in SetBoolResponse(True, 'exploration paused; the robot is stopped'), None:
             with mock.patch.object(services, 'switch', side_effect=[answer]):
-                self.assertIs(services.explore(on), answer)
+                self.assertIs(services.explore(False), answer)
 
-    def test_gives_the_answer_of_an_explorer_that_stays_stopped(self):
-        answer = SetBoolResponse(True, 'exploration enabled; the robot is stopped, and clearing the stop pauses it')
-        with mock.patch.object(services, 'switch', return_value=answer), mock.patch.object(services, 'STOP_IS_KNOWN', 0.1):
-            self.assertIs(services.explore(True), answer)
+    def test_gives_the_last_answer_of_an_explorer_that_stays_stopped_or_away(self):
+        for answer in SetBoolResponse(True, 'exploration enabled; the robot is stopped, and clearing the stop pauses it'), None:
+            with mock.patch.object(services, 'switch', return_value=answer), mock.patch.object(services, 'STOP_IS_KNOWN', 0.1):
+                self.assertIs(services.explore(True), answer)
 
 
 if __name__ == '__main__':
