@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/network.h>
 #include <signal.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
@@ -55,6 +56,25 @@ TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore
   QTest::qWait(500);  // that nothing comes can only be seen by waiting
   EXPECT_EQ(robot_.command, 0.0);
   EXPECT_LT(std::abs(robot_.speed), 1e-6);
+}
+
+// [ARB-8] [GUI-2]
+TEST_F(GuiOnTheWire, AStopIsGivenToTheNextArbiterAlthoughTheWindowIsClosedBeforeThatIsThere) {
+  std::atomic<bool> stopped{false};
+  const ros::Subscriber state = ros::NodeHandle().subscribe<std_msgs::Bool>(
+      names::kEmergencyStopState, 1, [&stopped](const std_msgs::Bool::ConstPtr& msg) { stopped = msg->data != 0; });
+  {
+    Window window;
+    ASSERT_TRUE(ready(window));
+    const int arbiter = processOf("/cmd_vel_arbiter");
+    ASSERT_GT(arbiter, 0);
+    kill(arbiter, SIGKILL);
+    EXPECT_TRUE(waitFor([&] { return processOf("/cmd_vel_arbiter") == 0; }));
+    window.click("emergency_stop");
+  }
+  EXPECT_TRUE(waitFor([&] { return stopped.load(); }));
+  Window next;
+  EXPECT_TRUE(clears(next)) << "for the tests that follow";
 }
 
 /// A process that is suspended, until this is destroyed.

@@ -10,6 +10,7 @@ import unittest
 
 import actionlib
 import roslib.packages
+import rosnode
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
@@ -254,6 +255,29 @@ class PatrolTest(unittest.TestCase):
         client.send_signal(signal.SIGINT)
         self.assertIn('patrol canceled', client.communicate(timeout=60)[0])
         self.assertEqual(client.returncode, 130)
+        self.assert_silent_after_zero()
+
+    def test_rosnode_kill_stops_the_robot_and_waits_for_it(self):
+        client = self.run_client('square', '--side', '2', '__name:=driver')
+        self.moving()
+        self.assertEqual(rosnode.kill_nodes(['/driver']), (['/driver'], []))
+        self.assertIn('patrol canceled', client.communicate(timeout=60)[0])
+        self.assertEqual(client.returncode, 128 + signal.SIGTERM)
+        self.assert_silent_after_zero()
+
+    def test_a_terminal_that_is_stopped_does_not_keep_the_patrol_from_being_canceled(self):
+        reader, writer = os.pipe()
+        self.addCleanup(os.close, reader)
+        os.set_blocking(writer, False)
+        with self.assertRaises(BlockingIOError):
+            while True:
+                os.write(writer, 4096 * b'.')
+        os.set_blocking(writer, True)
+        client = subprocess.Popen([program('patrol_client'), 'square', '--side', '2'], stdout=writer, stderr=subprocess.STDOUT)
+        os.close(writer)
+        self.moving()
+        client.terminate()
+        self.assertEqual(client.wait(timeout=60), 128 + signal.SIGTERM)
         self.assert_silent_after_zero()
 
     def assert_noticed(self, client, text, asked):

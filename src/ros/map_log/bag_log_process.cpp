@@ -27,6 +27,13 @@ constexpr char kRead = 'R';
 constexpr char kRefused = 'E';
 constexpr char kNoMemory = 'M';
 
+// The sanitizers of addresses and threads need more address space than any limit allows.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kLimitsAddressSpace = false;
+#else
+constexpr bool kLimitsAddressSpace = true;
+#endif
+
 /// The present size of this process's address space [bytes].
 std::uint64_t addressSpace() {
   std::uint64_t pages = 0;
@@ -41,12 +48,10 @@ std::uint64_t addressSpace() {
 void restrict(const BagReadLimits& limits) {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-  // The sanitizers of addresses and threads need more address space than any limit allows.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  if (!kLimitsAddressSpace) return;
   const rlim_t memory = addressSpace() + limits.memory;
   const rlimit memory_limit{memory, memory};
   setrlimit(RLIMIT_AS, &memory_limit);
-#endif
 }
 
 void send(int pipe, const std::string& bytes) {

@@ -1,6 +1,7 @@
 #include "ros/patrol_client/patrol_client_adapter.h"
 
 #include <iostream>
+#include <ostream>
 #include <string>
 
 #include "ros/common/clock.h"
@@ -14,11 +15,17 @@ constexpr Duration kPatience = std::chrono::milliseconds(1700);
 constexpr Duration kNobodyThere = std::chrono::milliseconds(1000);  // the master takes a fraction of it to connect us
 constexpr Duration kCancelPatience = std::chrono::seconds(5);
 
-void say(const std::string& text) { std::cout << text << std::endl; }
+/// A line that a terminal does not take is dropped, but not those after it.
+void write(std::ostream& stream, const std::string& line) {
+  stream.clear();
+  stream << line << std::endl;
+}
+
+void say(const std::string& text) { write(std::cout, text); }
 
 }  // namespace
 
-void PatrolClientAdapter::complain(const std::string& text) { std::cerr << "patrol_client: " << text << std::endl; }
+void PatrolClientAdapter::complain(const std::string& text) { write(std::cerr, "patrol_client: " + text); }
 
 PatrolClientAdapter::PatrolClientAdapter(ros::NodeHandle& node, const patrol::PatrolOrder& order)
     : order_(order), client_(node, names::kPatrol), since_(steadyNow()), heard_(since_) {

@@ -12,7 +12,9 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/help/usages.h"
+#include "ros/common/logging/console_output.h"
 #include "ros/common/master/namesake.h"
+#include "ros/common/master/slave_api.h"
 #include "ros/common/node_main.h"
 #include "ros/patrol_client/patrol_client_adapter.h"
 
@@ -79,6 +81,8 @@ int runPatrolClient(int argc, char** argv) {
     return fail(error.what(), patrol::PatrolExit::kUsage);
   }
   ros::NodeHandle node;
+  replaceHarmfulMethods();  // `rosnode kill` cancels the patrol as a signal does
+  dropUnreadOutput();
   if (const auto outcome = awaitTime()) return codeOf(*outcome);
   PatrolClientAdapter client(node, *line.goal);
   while (ros::ok()) {

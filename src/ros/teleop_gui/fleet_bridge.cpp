@@ -79,6 +79,7 @@ FleetBridge::FleetBridge(const ros::NodeHandle& node, const teleop::TeleopParame
 
 /// A robot that is being opened may wait for a master that is gone: only the end of ROS ends that.
 FleetBridge::~FleetBridge() {
+  for (ServiceCaller* caller : {&stop_caller_, &robot_stop_caller_}) caller->finishInsisting(running_);
   if (!opener_.idle()) ros::requestShutdown();
   spinner_.stop();
 }

@@ -66,6 +66,7 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters
 /// A publisher that is destroyed drops what has not been written yet.
 GuiBridge::~GuiBridge() {
   close();
+  stop_caller_.finishInsisting(running_);
   flushLastWords();
   spinner_.stop();
 }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr Duration kSlow = std::chrono::seconds(2);
 constexpr Duration kBetweenConnections = std::chrono::seconds(1);
+constexpr auto kBetweenLooks = std::chrono::milliseconds(50);
 
 }  // namespace
 
@@ -69,6 +70,24 @@ void ServiceCaller::withdraw() {
     takeOut([](const Call& call) { return call.insists; });
   }
   wake_.notify_all();
+}
+
+std::optional<std::string> ServiceCaller::whatInsists() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (under_way_ && under_way_->insists) return under_way_->service;
+  const auto call = std::find_if(calls_.begin(), calls_.end(), [](const Call& queued) { return queued.insists; });
+  if (call == calls_.end()) return std::nullopt;
+  return call->service;
+}
+
+void ServiceCaller::finishInsisting(const std::function<bool()>& running) {
+  const auto service = whatInsists();
+  if (!service) return;
+  log_(teleop::Severity::kWarning, "this window ends once " + *service + " has been answered");
+  while (running() && whatInsists()) {
+    lookAfter(steadyNow());
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
 }
 
 bool ServiceCaller::isReady(const std::string& service) {

@@ -67,6 +67,9 @@ class ServiceCaller {
   /// A success that lacks the `expected` signature is logged as a doubt. [ARB-12]
   void insist(const std::string& service, Duration patience, Signature expected = Signature::kNone);
   void withdraw();
+  /// Waits, as long as `running`, until the calls that insist have come to their end, and says so: whoever presses stop
+  /// and closes the window has pressed it.
+  void finishInsisting(const std::function<bool()>& running);
   /// Connects to a service that may have to be insisted on, unless that has been done, so that the call needs no
   /// master. Tries once a second at most, and only while it is `seen` at the master. To be called periodically.
   void getReady(const std::string& service, bool seen);
@@ -106,6 +109,8 @@ class ServiceCaller {
   std::vector<Call> takeOut(const std::function<bool(const Call&)>& which);
   void sayNotDone(const Call& call, const std::string& why);
   bool isUnderWay(const Call& call) const;
+  /// The service of a call that insists and is queued or under way; nothing if there is none.
+  std::optional<std::string> whatInsists();
   void run();
   void tryPerform(const Call& call);
   void perform(const Call& call);
