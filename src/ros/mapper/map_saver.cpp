@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "ros/common/callback_guard.h"
+#include "ros/common/clock.h"
 #include "ros/common/messages/save_answer.h"
 #include "ros/common/names.h"
 #include "ros/mapper/map_saver.h"
@@ -43,7 +44,11 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 map_files::MapIoResult MapSaver::save(const std::string& path) {
   return saveCopy<map_files::MapSnapshot, occupancy::OccupancyMap>(
       thread_, saves_, path, "mapper", map_files::takeSnapshot,
-      [path](const map_files::MapSnapshot& map) { return map_files::saveMap(map, path); });
+      [path, way = way_, steps = way_->steps()](const map_files::MapSnapshot& map) {
+        map_files::MapIoResult result = map_files::saveMap(map, path);
+        if (result.ok()) way->noteSaved(steps, steadyNow());
+        return result;
+      });
 }
 
 }  // namespace frontier_pilot

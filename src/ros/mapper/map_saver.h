@@ -3,10 +3,12 @@
 #include <frontier_pilot/SaveMap.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "frontier_pilot/map_files/map_io.h"
 #include "ros/common/maps/map_saves.h"
+#include "ros/common/maps/mapped_way.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/threads/service_thread.h"
 
@@ -23,6 +25,8 @@ class MapSaver {
   /// To be called when the one before it has ended.
   void run(std::function<void()> job);
   const MapSaves& saves() const { return saves_; }
+  /// To be told where scans came into the map; it knows how much of that way was saved.
+  MappedWay& way() { return *way_; }
   void close() { thread_.close(); }
 
  private:
@@ -30,6 +34,7 @@ class MapSaver {
   map_files::MapIoResult save(const std::string& path);
 
   MapSaves saves_;
+  const std::shared_ptr<MappedWay> way_ = std::make_shared<MappedWay>();  ///< also of a save that hangs
   /// One for each save, one that refuses others, and one for the job.
   ServiceThread<occupancy::OccupancyMap> thread_{MapSaves::kMost + 2};
 };

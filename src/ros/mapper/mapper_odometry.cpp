@@ -46,7 +46,10 @@ void MapperAdapter::insertPaired() {
       publishIfLost();  // this scan may already find it
       const mapping::ScanVerdict verdict = mapper_.insert(paired->scan, paired->T_odom_base, rosNow());
       note(verdict, causeOf(verdict, paired->scan.stamp));
-      if (paired->T_odom_base) sayWhereLocalised(verdict, mapper_.T_map_odom() * *paired->T_odom_base);
+      if (!paired->T_odom_base) continue;
+      const Pose2 T_map_base = mapper_.T_map_odom() * *paired->T_odom_base;
+      if (verdict == mapping::ScanVerdict::kInserted) saver_.way().note(T_map_base.position());
+      sayWhereLocalised(verdict, T_map_base);
     } else {
       bad_scans_.add(kFrozenScan);
     }

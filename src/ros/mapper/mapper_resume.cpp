@@ -10,6 +10,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
+#include "ros/common/clock.h"
 #include "ros/common/master/registration.h"
 #include "ros/common/node_main.h"
 #include "ros/common/throttled_log.h"
@@ -20,9 +21,13 @@ namespace {
 
 /// Why the map is only in the copy although it was wanted elsewhere: somebody had it saved in vain, or scripts/run,
 /// which saves it before it ends this node, did not come to that. Empty if it was saved, or nobody wanted it.
-std::string whyUnsaved(const MapSaves& saves) {
+std::string whyUnsaved(MapSaver& saver) {
+  std::string why = saver.saves().whyNotSaved();
   const bool is_promised = std::getenv("FRONTIER_PILOT_RUN") != nullptr;  // set by scripts/run
-  return is_promised && !saves.wasAsked() ? "because the run ended before that" : saves.whyNotSaved();
+  if (!why.empty() || !is_promised) return why;
+  if (!saver.way().wasSaved()) return "because the mapper ended before that";
+  if (!saver.way().hasGoneOn(steadyNow())) return {};
+  return "because the mapper ended before it was saved once more, with what was mapped since";
 }
 
 }  // namespace
@@ -84,13 +89,13 @@ void MapperAdapter::sayLastWords() {
 /// A map that could not be saved where somebody wanted it stays in the copy, put aside so that no mapper goes on with
 /// it by itself. Returns whether there is such a copy.
 bool MapperAdapter::leaveUnsaved() {
-  if (whyUnsaved(saver_.saves()).empty()) return false;
+  if (whyUnsaved(saver_).empty()) return false;
   if (ros::ok()) {  // else the threads that save have ended
     autosave_.hurry();
     autosave();
     awaitAutosave();
   }
-  const std::string why = whyUnsaved(saver_.saves());
+  const std::string why = whyUnsaved(saver_);
   if (why.empty()) return false;  // it has been saved meanwhile
   const auto lost = autosave_.leave(std::chrono::seconds(3));
   if (lost && lost->empty()) return false;

@@ -24,7 +24,17 @@ for ((i = 0; i < EXPLORES; i++)); do sleep 0.05; done
 while :; do sleep 0.05; done
 '''
 FAILING_LAUNCH = '() { echo "RLException: run_id on parameter server does not match declared run_id: 1 vs 2"; return 1; }'
-LAUNCH = '() { trap "exit 0" INT; echo "$@" >"$LAUNCHED"; while [ ! -e "$LAUNCH_ENDS" ]; do sleep 0.05; done; }'
+LAUNCH = '() { trap "exit 0" INT; echo "$@" >"$LAUNCHED"; while [ ! -e "$LAUNCH_ENDS" ]; do sleep 0.05; done; cat "$LAUNCH_ENDS"; }'
+# What roslaunch and the nodes say when a process has died that all need.
+DEATH = '''[navigator-4] process has died [pid 7, exit code -9, cmd navigator].
+\x1b[31m%sREQUIRED process [%s] has died!
+process has died [pid 8, exit code -9, cmd simulator].
+Initiating shutdown!
+%s\x1b[0m
+run_recorder: recorded 3.5 MB in /runs/one
+[ WARN] [1.0] [/mapper]: the map was not saved, because of this; its copy is kept: map_file:=/lost/map.yaml begins with it
+\x1b[1mdone\x1b[0m
+'''
 
 
 class RunWindows(unittest.TestCase):
@@ -167,8 +177,24 @@ class RunWindows(unittest.TestCase):
         process = self.start_until_done()
         self.launch_ends.touch()
         _, err = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 0, err)
+        self.assertEqual(process.returncode, 1, err)
         self.assertNotIn('saved again', self.watched.read_text())
+
+    def test_a_launch_that_ends_by_itself_after_the_exploration_is_a_failure_whose_reason_is_said(self):
+        """[FLT-2]"""
+        for died in 'simulator-2', 'master':
+            with self.subTest(died=died):
+                self.watched.write_text('')
+                process = self.start_until_done()
+                (self.folder / 'said').write_text(DEATH % (80 * '=', died, 80 * '='))
+                (self.folder / 'said').rename(self.launch_ends)
+                _, err = process.communicate(timeout=60)
+                self.launch_ends.unlink()
+                self.assertEqual(process.returncode, 1, err)
+                kept, ended, why = err.splitlines()[-3:]
+                self.assertRegex(kept, '^scripts/run: the map was not saved, because of this; .* map_file:=/lost/map.yaml begins with it$')
+                self.assertRegex(ended, '^The launch ended by itself; all output of the nodes is in ')
+                self.assertEqual(why, 'scripts/run: REQUIRED process [%s] has died!' % died)
 
     def test_a_folder_in_which_the_map_could_not_be_saved_is_refused_before_anything_is_built(self):
         """[FLT-1]"""

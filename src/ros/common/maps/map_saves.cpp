@@ -114,9 +114,4 @@ std::string MapSaves::whyNotSaved() const {
   return state_->last;
 }
 
-bool MapSaves::wasAsked() const {
-  const std::lock_guard<std::mutex> lock(state_->mutex);
-  return state_->begun > 0;
-}
-
 }  // namespace frontier_pilot

@@ -38,8 +38,6 @@ class MapSaves {
   map_files::MapIoResult refuse(const std::string& why);
   /// Why the map that was to be saved last is not; empty if it is, or if there was none.
   std::string whyNotSaved() const;
-  /// Whether a map was ever to be saved.
-  bool wasAsked() const;
 
  private:
   struct Save {
