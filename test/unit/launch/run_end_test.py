@@ -111,6 +111,14 @@ class RunEnd(unittest.TestCase):
         said = 'the map was not saved, because of this; its copy is kept: map_file:=/lost/map.yaml begins with it'
         self.assertEqual(self.saying_what_is_kept('\x1b[33m[ WARN] [1.0] [/mapper]: %s\x1b[0m\n' % said), 'scripts/run: %s\n' % said)
 
+    def test_what_a_mapper_said_before_another_one_was_started_in_its_place_is_not_repeated(self):
+        said = 'the map was not saved, because of %s; its copy is kept: map_file:=/lost/map.yaml begins with it'
+        log = '[ WARN] [1.0] [/mapper]: %s\n\x1b[1mprocess[mapper-3]: started with pid [7]\x1b[0m\n' % (said % 'this')
+        self.assertEqual(self.saying_what_is_kept(log), '')
+        self.assertEqual(self.saying_what_is_kept(log + '[ WARN] [2.0] [/mapper]: %s\n' % (said % 'that')), 'scripts/run: %s\n' % (said % 'that'))
+        (self.folder / 'log.1').write_text('[ WARN] [3.0] [/mapper]: %s\n' % (said % 'this'))
+        self.assertEqual(self.saying_what_is_kept('process[run_recorder-9]: started with pid [8]\n'), 'scripts/run: %s\n' % (said % 'this'))
+
 
 if __name__ == '__main__':
     unittest.main()
