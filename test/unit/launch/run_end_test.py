@@ -92,11 +92,11 @@ class RunEnd(unittest.TestCase):
         code, _, err = self.ended(script)
         self.assertEqual((code, err), (130, "scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n"))
 
-    def saying_what_is_kept(self, log):
-        """What the end of a run without a report says on stderr, after which the nodes have said this."""
+    def saying_what_is_kept(self, log, meanwhile=''):
+        """What the end of a run without a report says on stderr, in which the nodes have said this, and this was done meanwhile."""
         (self.folder / 'log').write_text('... logging to /home/me/.ros/log/launch-1/roslaunch-computer-42.log\n' + log)
         functions = re.search(r'^launch=0 watch=0.*?(?=^hold_signals\n)', RUN.read_text(), re.M | re.S).group()
-        words = PATIENT + BEFORE + 'record=false\n' + functions + AFTER
+        words = PATIENT + BEFORE + 'record=false\n' + functions + AFTER.replace('heed_signals', meanwhile + 'heed_signals')
         return subprocess.run(['bash', '-c', words, 'run', '1'], cwd=self.folder, text=True, capture_output=True, timeout=60,
                               env=dict(os.environ, ROS_HOME=str(self.folder))).stderr
 
@@ -106,6 +106,15 @@ class RunEnd(unittest.TestCase):
         copy.parent.mkdir(parents=True)
         copy.touch()
         self.assertIn('map_file:=%s begins with it' % copy, self.saying_what_is_kept(''))
+
+    def test_the_copy_of_a_mapper_that_was_killed_is_named_also_after_a_long_run(self):
+        copy = self.folder / 'frontier_pilot/launch-1/kept_map.mapper.yaml'
+        copy.parent.mkdir(parents=True)
+        copy.touch()
+        watch = re.search(r'^await_refusal\(\) \{\n.*?^\}\n', RUN.read_text(), re.M | re.S).group()
+        # The first minute passes at once, and then the log holds only what was said last.
+        a_long_run = '\n' + watch.replace('exec tail', 'return; exec tail') + 'sleep() { :; }; await_refusal; echo later >log; unset -f sleep\n'
+        self.assertIn('map_file:=%s begins with it' % copy, self.saying_what_is_kept('', a_long_run))
 
     def test_what_the_mapper_said_of_its_copy_is_repeated(self):
         said = 'the map was not saved, because of this; its copy is kept: map_file:=/lost/map.yaml begins with it'
