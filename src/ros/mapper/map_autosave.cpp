@@ -131,15 +131,16 @@ std::string MapAutosave::putAside() {
   return lost;
 }
 
-std::optional<std::string> MapAutosave::leave(Duration patience) {
+std::optional<LeftCopy> MapAutosave::leave(Duration patience) {
   noteEnd();
-  if (superseded_ || unwanted_) return std::string();  // it is of a map that was replaced
-  disown(replaced_);                                   // wherever it is, no mapper goes on with it by itself
-  if (isSaving()) return std::nullopt;
-  return PatientThread(patience).run<std::string>([own = *this]() mutable {
+  if (superseded_ || unwanted_) return LeftCopy{};  // it is of a map that was replaced
+  *current_ = false;                                // so that a save which is under way does not take back what follows
+  disown(replaced_);                                // wherever it is, no mapper goes on with it by itself
+  if (isSaving() && !memory_.files().empty()) return LeftCopy{memory_.files().front().string(), true};
+  return PatientThread(patience).run<LeftCopy>([own = *this]() mutable {
     std::string lost = own.putAside();
     const std::optional<fs::path> base = own.find();  // on a disk that is full
-    return lost.empty() && base ? base->string() : lost;
+    return LeftCopy{lost.empty() && base ? base->string() : lost, false};
   });
 }
 

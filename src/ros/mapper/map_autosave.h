@@ -27,6 +27,12 @@ struct MapContent {
   std::uint64_t rendered;  ///< how often it was rendered again, after which the robot is elsewhere on it
 };
 
+/// Where the copy is that a mapper leaves at its end.
+struct LeftCopy {
+  std::string base;               ///< of its files; empty if there is no copy
+  bool is_being_written = false;  ///< an older one is there until that has ended, or none
+};
+
 /// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
 /// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
 /// At most three maps of earlier sessions are kept. If the map is replaced, by one that is loaded or by a reset, while
@@ -43,9 +49,9 @@ class MapAutosave {
   /// Moves the copy that is there to the folder `lost` (`kept_map::setAside`), and forgets its pose. Returns its new
   /// base; empty if it could not be moved.
   std::string putAside();
-  /// The same at the end, because the map was not saved elsewhere; a copy that could not be moved stays where it is.
-  /// Returns its base, empty if there is no copy; nothing if the disk does not answer in time.
-  std::optional<std::string> leave(Duration patience);
+  /// The same at the end, because the map was not saved elsewhere; a copy that could not be moved, or is still being
+  /// written, stays where it is. Nothing if the disk does not answer in time.
+  std::optional<LeftCopy> leave(Duration patience);
   /// Reads the map of a mapper that died and returns its pose; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<MapPose> restore(occupancy::OccupancyMap& map) const;

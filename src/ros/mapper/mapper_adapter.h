@@ -8,6 +8,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/Trigger.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,7 +82,7 @@ class MapperAdapter {
   void autosave();
   bool leaveUnsaved();
   void rememberPose();
-  void awaitAutosave();
+  void awaitAutosave(Duration patience = std::chrono::seconds(5));
   void sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base);
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
   bool handleLoad(LoadMap::Request& request, LoadMap::Response& response);

@@ -105,8 +105,8 @@ std::string MapperAdapter::afterDeath(const std::string& what, const std::string
   return "; would not survive this node: " + problem;
 }
 
-void MapperAdapter::awaitAutosave() {
-  const SteadyTime end = steadyNow() + std::chrono::seconds(5);
+void MapperAdapter::awaitAutosave(Duration patience) {
+  const SteadyTime end = steadyNow() + patience;
   while (autosave_.isSaving() && steadyNow() < end) {
     saver_.provide(mapper_.map());  // for a call of save_map meanwhile
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

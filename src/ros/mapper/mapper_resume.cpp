@@ -19,6 +19,9 @@
 namespace frontier_pilot {
 namespace {
 
+/// For the last copy: with what follows a node ends within the 15 s after which roslaunch ends it.
+constexpr Duration kLastCopy = std::chrono::seconds(8);
+
 /// Why the map is only in the copy although it was wanted elsewhere: somebody had it saved in vain, or scripts/run,
 /// which saves it before it ends this node, did not come to that. Empty if it was saved, or nobody wanted it.
 std::string whyUnsaved(MapSaver& saver) {
@@ -28,6 +31,14 @@ std::string whyUnsaved(MapSaver& saver) {
   if (!saver.way().wasSaved()) return "because the mapper ended before that";
   if (!saver.way().hasGoneOn(steadyNow())) return {};
   return "because the mapper ended before it was saved once more, with what was mapped since";
+}
+
+std::string whereItIs(const std::optional<LeftCopy>& copy) {
+  if (!copy) return "nor can its copy be put aside, because the disk of ROS_HOME does not answer";
+  const std::string argument = "map_file:=" + copy->base + ".yaml begins with it";
+  if (!copy->is_being_written) return "its copy is kept: " + argument;
+  return "its copy is still being written, because the disk of ROS_HOME is slow or does not answer: " + argument +
+         ", or with an older one";
 }
 
 }  // namespace
@@ -91,18 +102,17 @@ void MapperAdapter::sayLastWords() {
 bool MapperAdapter::leaveUnsaved() {
   if (whyUnsaved(saver_).empty()) return false;
   if (ros::ok()) {  // else the threads that save have ended
+    const SteadyTime end = steadyNow() + kLastCopy;
+    awaitAutosave(kLastCopy);  // one that is under way lacks what came since
     autosave_.hurry();
     autosave();
-    awaitAutosave();
+    awaitAutosave(end - steadyNow());
   }
   const std::string why = whyUnsaved(saver_);
   if (why.empty()) return false;  // it has been saved meanwhile
   const auto lost = autosave_.leave(std::chrono::seconds(3));
-  if (lost && lost->empty()) return false;
-  ROS_WARN_STREAM("the map was not saved, "
-                  << printable(why, bounds::kMostLine) << "; "
-                  << (lost ? "its copy is kept: map_file:=" + *lost + ".yaml begins with it"
-                           : "nor can its copy be put aside, because the disk of ROS_HOME does not answer"));
+  if (lost && lost->base.empty()) return false;
+  ROS_WARN_STREAM("the map was not saved, " << printable(why, bounds::kMostLine) << "; " << whereItIs(lost));
   return true;
 }
 

@@ -185,6 +185,34 @@ TEST_F(MapAutosaveInASession, OfTheFirstOfTwoMapsThatWereLoadedWhileTheDiskHangs
   EXPECT_THROW(restored(), std::runtime_error);
 }
 
+// The mapper ends before a large copy is written, which nobody is to go on with unasked. [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, ThatIsLeftWhileItIsBeingWrittenIsNamedAndNotContinuedWith_FLT_2_MAP_5) {
+  EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+  beginToSave(5.0, {kThere, true}, 0);
+  autosave_->hurry();
+  beginToSave(9.0, {kThere, true}, 0);
+  ASSERT_EQ(hanging_.size(), 1U) << "one save at a time";
+  const auto left = autosave_->leave(std::chrono::seconds(20));
+  ASSERT_TRUE(left);
+  EXPECT_TRUE(left->is_being_written);
+  EXPECT_THROW(restored(), std::runtime_error);
+  hanging_.front()();
+  EXPECT_TRUE(kept_map::exists(left->base));
+  EXPECT_THROW(restored(), std::runtime_error) << "the save has taken the mark back";
+}
+
+// [FLT-2]
+TEST_F(MapAutosaveInASession, ThatIsLeftAfterItWasWrittenIsPutAside_FLT_2) {
+  beginToSave(5.0, {kThere, true}, 0);
+  hanging_.front()();
+  const auto left = autosave_->leave(std::chrono::seconds(20));
+  ASSERT_TRUE(left);
+  EXPECT_FALSE(left->is_being_written);
+  EXPECT_NE(left->base.find("/lost/"), std::string::npos) << left->base;
+  EXPECT_TRUE(kept_map::exists(left->base));
+  EXPECT_FALSE(restored());
+}
+
 // [FLT-2]
 TEST_F(MapAutosaveInASession, OfAMapThatWasResetIsNotContinuedWithAlthoughItCannotBeRemoved_FLT_2) {
   EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
