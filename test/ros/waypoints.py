@@ -9,12 +9,12 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from frontier_pilot.msg import ArbiterSource, ArbiterStatus
-from frontier_pilot.msg import FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult
+from frontier_pilot.msg import ExplorerStatus, FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult
 from geometry_msgs.msg import PoseArray, PoseStamped
 from move_base_msgs.msg import MoveBaseAction
 from nav_msgs.msg import Odometry
 from std_msgs.msg import String
-from std_srvs.srv import Trigger
+from std_srvs.srv import SetBool, Trigger
 
 from wire import Record, call, clear, emergency_stop, hears, wait_for
 
@@ -37,10 +37,11 @@ class WaypointsOnTheWire(unittest.TestCase):
         rospy.init_node('waypoints_wire')
         cls.odom = Record('odom', Odometry)
         cls.goals = Record('move_base/status', GoalStatusArray)
+        cls.exploration = Record('frontier_explorer/status', ExplorerStatus)
         cls.collected = Record('waypoint_follower/waypoints', PoseArray)
         cls.client = actionlib.SimpleActionClient('follow_waypoints', FollowWaypointsAction)
         assert cls.client.wait_for_server(rospy.Duration(60.0))
-        assert wait_for(lambda: cls.goals.last and cls.odom.last, 60.0)
+        assert wait_for(lambda: cls.goals.last and cls.odom.last and cls.exploration.last, 60.0)
         cls.legs, cls.trouble = [], ''
         cls.navigation = actionlib.SimpleActionServer('elsewhere/move_base', MoveBaseAction, cls.give_up, auto_start=False)
         cls.navigation.start()
@@ -144,6 +145,17 @@ class WaypointsOnTheWire(unittest.TestCase):
         result = self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE, 60.0)
         self.assertEqual([], list(result.missed_waypoints))
         self.assertTrue(self.is_at(MIDDLE))
+
+    def test_come_before_an_explorer_that_waited_for_them_when_the_navigator_is_restarted(self):  # [EXP-11] [FLT-2]
+        self.start_driving()
+        self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
+        try:
+            self.assertTrue(wait_for(lambda: self.exploration.last.reason == ExplorerStatus.OTHERS_GOAL))
+            rosnode.kill_nodes(['/navigator'])
+            result = self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE, 60.0)
+        finally:
+            call('set_exploration_enabled', SetBool, False)
+        self.assertEqual([], list(result.missed_waypoints))
 
     def expect_no_fault_of_the_places(self, trouble):
         self.legs.clear()

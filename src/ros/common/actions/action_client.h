@@ -65,8 +65,9 @@ class ActionClient {
     manager_.registerCancelFunc([this](const GoalID& id) { cancel_.publish(id); });
   }
 
-  /// Whether a server is connected now: it subscribes to goals and cancels, and has published its status.
-  bool isServerConnected() { return monitor_.isServerConnected(); }
+  /// Whether a server is connected now: it subscribes to goals and cancels, and has published its status since then.
+  /// One that was restarted may have got a goal of another client first, which only its status tells.
+  bool isServerConnected() { return server_heard_ && monitor_.isServerConnected(); }
 
   /// Sends a goal; the end of the previous one is not reported any more. `done` is called once, when the goal has
   /// ended, and `heard` with each feedback. A result that the server published before this client was connected is
@@ -88,8 +89,9 @@ class ActionClient {
     if (!handle_.isExpired()) handle_.cancel();
   }
   /// Whether the server's status shows a goal of another client that has not ended, or did a moment ago: a client that
-  /// sends its goals one after the other leaves short gaps between them.
-  bool servesOthers() const { return others_now_ || (others_gone_ && steadyNow() - *others_gone_ < kGapOfOthers); }
+  /// sends its goals one after the other leaves short gaps between them, and one whose goal ended with the server sends
+  /// it to the next one. [EXP-11]
+  bool servesOthers() const { return others_now_ || (others_expected_until_ && steadyNow() < *others_expected_until_); }
   /// From now on nothing is reported about that goal.
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
@@ -108,6 +110,7 @@ class ActionClient {
   static constexpr std::size_t kRemembered = 100;                           ///< more than a server's status lists
   static constexpr Duration kResultPatience = std::chrono::seconds(1);      ///< of the steady clock
   static constexpr Duration kGapOfOthers = std::chrono::milliseconds(700);  ///< more than three statuses
+  static constexpr Duration kReturnOfOthers = std::chrono::seconds(2);      ///< to a server that was restarted
   static constexpr Duration kServerPatience = std::chrono::seconds(2);      ///< the same; a status comes at 5 Hz
 
   template <class Msg>
@@ -134,8 +137,9 @@ class ActionClient {
     if (taker != takers_.end()) takers_.erase(taker);
     if (takers_.count(server_) == 0) {
       server_heard_.reset();
+      others_return_ = others_return_ || (servesOthers() && isIdle());  // otherwise they had just given way
       others_now_ = false;
-      others_gone_.reset();
+      others_expected_until_.reset();
     }
     monitor_.goalDisconnectCallback(connection);
   }
@@ -148,10 +152,10 @@ class ActionClient {
       return;
     }
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
+    lookForOthers(*event.getConstMessage());  // first, for those who are told below how their goal ended
     manager_.updateStatuses(event.getConstMessage());
     endWithoutResult(*event.getConstMessage());
     cancelStrays(*event.getConstMessage());
-    lookForOthers(*event.getConstMessage());
   }
   /// Whether a status comes from the server: a node that takes this client's goals, and of several the one that was
   /// heard first, until it has been silent for a while. A status of another node would end goals that are still
@@ -160,10 +164,13 @@ class ActionClient {
     if (takers_.count(publisher) == 0) return false;
     const SteadyTime now = steadyNow();
     if (publisher != server_ && server_heard_ && now - *server_heard_ < kServerPatience) return false;
+    if (std::exchange(others_return_, false)) others_expected_until_ = now + kReturnOfOthers;
     server_ = publisher;
     server_heard_ = now;
     return true;
   }
+  /// Whether no goal is under way, as far as this client was told.
+  bool isIdle() const { return handle_.isExpired() || handle_.getCommState() == actionlib::CommState::DONE; }
   bool wasSent(const std::string& id) const { return std::find(sent_.begin(), sent_.end(), id) != sent_.end(); }
   /// Whether a goal is of this node or of an earlier one of its name: actionlib begins the ids with the name.
   static bool isOwn(const std::string& id) { return id.rfind(ros::this_node::getName() + "-", 0) == 0; }
@@ -176,14 +183,14 @@ class ActionClient {
     };
     const bool before =
         std::exchange(others_now_, std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others));
-    if (before && !others_now_) others_gone_ = steadyNow();
+    if (before && !others_now_) others_expected_until_ = steadyNow() + kGapOfOthers;
   }
   /// Cancels goals that are still pursued although nobody waits for them: those of an earlier process of the same name,
   /// which was killed before it could cancel them itself, and those whose end this client was told by somebody else
   /// than the server, once no goal has been under way for a moment. [FLT-2]
   void cancelStrays(const actionlib_msgs::GoalStatusArray& statuses) {
     using Status = actionlib_msgs::GoalStatus;
-    const bool idle = handle_.isExpired() || handle_.getCommState() == actionlib::CommState::DONE;
+    const bool idle = isIdle();
     if (!idle) idle_since_.reset();
     if (idle && !idle_since_) idle_since_ = steadyNow();
     const bool long_idle = idle && steadyNow() - *idle_since_ >= kResultPatience;
@@ -218,14 +225,15 @@ class ActionClient {
   std::multiset<std::string> takers_;  ///< the nodes that subscribe to the goals, once for each connection
   std::string server_;                 ///< the node whose statuses are believed
   std::optional<SteadyTime> server_heard_;
-  bool others_now_ = false;                ///< whether the last status showed a goal of another client
-  std::optional<SteadyTime> others_gone_;  ///< when a status was the first that showed none any more
+  bool others_now_ = false;     ///< whether the last status showed a goal of another client
+  bool others_return_ = false;  ///< the server went while it served them; to the next one they come first
+  std::optional<SteadyTime> others_expected_until_;  ///< while the statuses show none of their goals
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::deque<std::string> sent_;          ///< the ids of the last goals, the newest last
   Done done_;                             ///< called when a goal has ended but its result was lost
   std::optional<SteadyTime> ended_at_;    ///< since when the status has shown the end while the result is missing
-  std::optional<SteadyTime> idle_since_;  ///< since when no goal is under way, as far as this client was told
+  std::optional<SteadyTime> idle_since_;  ///< since when isIdle()
   // Callbacks run on the node's own thread, so none can arrive before all of these members are constructed.
   ros::Subscriber status_, feedback_, result_;
   Monitor monitor_;  ///< recognises a server by its publishers and its subscriptions
