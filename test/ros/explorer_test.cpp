@@ -2,6 +2,7 @@
 // one story, in order, and each ends where the next begins.
 
 #include <actionlib/server/simple_action_server.h>
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <frontier_pilot/ExplorerStatus.h>
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
@@ -30,7 +31,9 @@ using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
 /// A move_base that takes goals and ends them when the test says so.
 class FakeMoveBase {
  public:
-  explicit FakeMoveBase(ros::NodeHandle& node) : server_(node, names::kMoveBase, false) {
+  explicit FakeMoveBase(ros::NodeHandle& node)
+      : server_(node, names::kMoveBase, false),
+        status_(node.advertise<actionlib_msgs::GoalStatusArray>(std::string(names::kMoveBase) + "/status", 10)) {
     server_.registerGoalCallback([this] { goals.push_back(server_.acceptNewGoal()->target_pose); });
     server_.registerPreemptCallback([this] {
       if (server_.isNewGoalAvailable()) return;
@@ -41,12 +44,15 @@ class FakeMoveBase {
   }
   void abort(const std::string& why) { server_.setAborted({}, why); }
   bool active() { return server_.isActive(); }
+  /// As one that was restarted so fast that nobody noticed.
+  void sayThatThereIsNoGoal() const { status_.publish(actionlib_msgs::GoalStatusArray()); }
 
   std::vector<geometry_msgs::PoseStamped> goals;
   int cancels = 0;
 
  private:
   Server server_;
+  ros::Publisher status_;
 };
 
 /// What the explorer listens to, published at 20 Hz.
@@ -200,6 +206,21 @@ TEST_F(ExplorerOnTheWire, E_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
   world->move_base = std::make_unique<FakeMoveBase>(world->node);
   EXPECT_TRUE(reaches(ExplorerStatus::NAVIGATING)) << "[EXP-8]";
   EXPECT_TRUE(serveUntil([] { return world->move_base->active(); }));
+}
+
+// [EXP-8]
+TEST_F(ExplorerOnTheWire, E_AGoalThatTheNavigationLosesIsNoFailureOfItsPlace_EXP_8) {
+  const std::uint32_t failed = world->latest.goals_failed;
+  for (int times = 0; times < 2; ++times) {
+    EXPECT_TRUE(serveUntil([] {
+      world->move_base->sayThatThereIsNoGoal();
+      return world->latest.reason == ExplorerStatus::NAVIGATION_UNABLE;
+    })) << world->latest.reason_text;
+    ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING)) << "it is tried again";
+    ASSERT_TRUE(serveUntil([] { return world->move_base->active(); }));
+  }
+  EXPECT_EQ(world->latest.goals_failed, failed);
+  EXPECT_EQ(world->latest.frontiers_blacklisted, 0U);
 }
 
 // [EXP-7]

@@ -19,10 +19,18 @@ exploration::GoalEvent::Kind kindOf(const actionlib::TerminalState& state) {
     case State::PREEMPTED:
     case State::RECALLED:
       return exploration::GoalEvent::Kind::kPreempted;
+    case State::LOST:  // the server died and is there again: any other goal would have ended in the same way
+      return exploration::GoalEvent::Kind::kUnable;
     default:
       return navigation::isNoFaultOfTheGoal(state.getText()) ? exploration::GoalEvent::Kind::kUnable
                                                              : exploration::GoalEvent::Kind::kAborted;
   }
+}
+
+std::string textOf(const actionlib::TerminalState& state) {
+  // The text of a goal that was lost is one from before.
+  if (state == actionlib::TerminalState::LOST) return "it does not know the goal any more";
+  return state.getText().empty() ? state.toString() : state.getText();
 }
 
 }  // namespace
@@ -47,8 +55,7 @@ std::vector<exploration::GoalEvent> MoveBaseClient::takeEvents() { return std::e
 
 void MoveBaseClient::handleDone(std::uint32_t goal_id, const actionlib::TerminalState& state) {
   active_ = false;
-  const std::string text = state.getText().empty() ? state.toString() : state.getText();
-  events_.push_back({goal_id, kindOf(state), text});
+  events_.push_back({goal_id, kindOf(state), textOf(state)});
 }
 
 }  // namespace frontier_pilot
