@@ -57,7 +57,7 @@ class ActionServers : public ::testing::Test {
                                          if (fails_) throw std::runtime_error("no wheels");
                                          ++begun_;
                                        },
-                                       [this](bool) { ++canceled_; }};
+                                       [this](const std::string&) { ++canceled_; }};
   ros::Publisher goals_ = node_.advertise<WaitActionGoal>("wait/goal", 10);
   ros::Publisher cancels_ = node_.advertise<GoalID>("wait/cancel", 10);
   ros::Subscriber results_ = node_.subscribe<WaitActionResult>(
@@ -94,6 +94,7 @@ TEST_F(ActionServers, RecallAGoalWhoseCancelCameFirst) {
   sendGoal("early");
   EXPECT_TRUE(endsAs("early", GoalStatus::RECALLED));
   EXPECT_EQ(begun_, 0);
+  EXPECT_EQ(canceled_, 1) << "the owner may pursue a goal of another action";
 }
 
 // A link that was away delivers the goal when it is back. [NAV-1]

@@ -7,14 +7,14 @@ import unittest
 import actionlib
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalStatus
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from geometry_msgs.msg import PolygonStamped, Pose2D, Twist
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Empty, SetBool, Trigger
 
-from frontier_pilot.msg import (BackUpAction, BackUpGoal, BackUpResult, DriveOnHeadingAction, DriveOnHeadingGoal,
-                                SpinAction, SpinGoal, SpinResult, WaitAction, WaitGoal, WaitResult)
+from frontier_pilot.msg import (BackUpAction, BackUpGoal, BackUpResult, DriveOnHeadingAction, DriveOnHeadingActionGoal,
+                                DriveOnHeadingGoal, SpinAction, SpinGoal, SpinResult, WaitAction, WaitGoal, WaitResult)
 from frontier_pilot.srv import RemoveObstacle, SpawnObstacle
 
 
@@ -237,6 +237,26 @@ class BehaviorTest(unittest.TestCase):
         replaced = self.expect(GoalStatus.PREEMPTED, WaitResult.CANCELED, 'wait')
         self.assertEqual(replaced.error_msg, 'replaced by a newer goal')
         self.expect(GoalStatus.SUCCEEDED, SpinResult.NONE)
+
+    def test_a_goal_that_its_cancel_overtook_ends_the_behaviour_that_it_would_have_replaced(self):
+        """[SPN-5]"""
+        known = set()
+        goals = rospy.Publisher('drive_on_heading/goal', DriveOnHeadingActionGoal, queue_size=1)
+        cancels = rospy.Publisher('drive_on_heading/cancel', GoalID, queue_size=1)
+        statuses = rospy.Subscriber('drive_on_heading/status', GoalStatusArray,
+                                    lambda msg: known.update(status.goal_id.id for status in msg.status_list))
+        for wire in (goals, cancels, statuses):
+            self.addCleanup(wire.unregister)
+        self.until(lambda: goals.get_num_connections() > 0 and cancels.get_num_connections() > 0, 'connections')
+        self.spin(6.0)
+        self.moving()
+        cancels.publish(GoalID(id='early'))
+        self.until(lambda: 'early' in known, 'the cancel to be known')
+        goals.publish(DriveOnHeadingActionGoal(goal_id=GoalID(id='early'),
+                                               goal=DriveOnHeadingGoal(target_distance=0.3, speed=0.15)))
+        result = self.expect(GoalStatus.PREEMPTED, SpinResult.CANCELED)
+        self.assertEqual(result.error_msg, 'replaced by a newer goal, which was canceled')
+        self.assert_silent_after_zero()
 
     def test_the_footprint_is_the_outline_of_the_robot_in_its_base_frame(self):
         """[ROB-1]"""

@@ -53,12 +53,13 @@ class BehaviorPort {
 template <class Action, class Result, class Feedback>
 class BehaviorActionPort : public BehaviorPort {
  public:
-  /// `cancel` is called when the active goal is cancelled or replaced; in the latter case before `start`.
+  /// `cancel` is called when the active goal is cancelled or replaced; in the latter case before `start`. It is also
+  /// called when one that was cancelled before it came would have replaced the goal of any port.
   BehaviorActionPort(ros::NodeHandle& node, const char* name, const Start& start, const Cancel& cancel)
       : server_(
             node, name,
             [this, start](const typename SingleGoalServer<Action>::Goal& goal) { start(*this, toBehaviorGoal(goal)); },
-            [cancel](bool replaced) { cancel(replaced ? "replaced by a newer goal" : "canceled"); }) {}
+            cancel) {}
 
   void publishFeedback(const behavior::BehaviorOutput& output, const behavior::BehaviorGoal& goal) override {
     Feedback feedback;

@@ -17,7 +17,7 @@ PatrolServerAdapter::PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle&
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 10)),
       server_(
           node_, names::kPatrol, [this](const PatrolGoal& goal) { handleGoal(goal); },
-          [this](bool) { put(patrol_.cancel()); }),
+          [this](const std::string&) { put(patrol_.cancel()); }),
       diagnostics_(node, private_node),
       surroundings_(parameters_.surroundings, parameters_.patrol.robot, tf_),
       connections_(node) {

@@ -20,7 +20,7 @@ WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::Nod
       navigation_(node, names::kMoveBase),
       server_(
           node, names::kFollowWaypoints, [this](const FollowWaypointsGoal& goal) { handleGoal(goal); },
-          [this](bool) { put(follower_.cancel()); }),
+          [this](const std::string&) { put(follower_.cancel()); }),
       diagnostics_(node, private_node),
       connections_(node) {
   constexpr double kPeriod = 0.1;  // [s]

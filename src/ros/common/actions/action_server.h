@@ -236,8 +236,10 @@ class SingleGoalServer {
   using Result = typename Server::Result;
   using Feedback = typename Server::Feedback;
   using Start = std::function<void(const Goal&)>;
-  /// Called when the active goal has to end, because a newer one has replaced it or because it was cancelled.
-  using Cancel = std::function<void(bool replaced)>;
+  /// Called when the active goal has to end, because a newer one has replaced it or because it was cancelled; `why`
+  /// says so. Where the newer one was itself cancelled before it came, it is called without an active goal as well: the
+  /// owner of several actions may pursue one of another, which it would have replaced.
+  using Cancel = std::function<void(const std::string& why)>;
 
   SingleGoalServer(const ros::NodeHandle& node, const std::string& name, Start start, Cancel cancel)
       : start_(std::move(start)),
@@ -245,11 +247,9 @@ class SingleGoalServer {
         server_(
             node, name, [this](const GoalHandle& handle) { take(handle); },
             [this](const GoalHandle& handle) {
-              if (current_ && *current_ == handle) end(false, "canceled");
+              if (current_ && *current_ == handle) end("canceled");
             },
-            [this] {
-              if (current_) end(false, "replaced by a newer goal, which was canceled");
-            }) {}
+            [this] { end("replaced by a newer goal, which was canceled"); }) {}
 
   void publishFeedback(const Feedback& feedback) {
     if (current_) current_->publishFeedback(feedback);
@@ -273,20 +273,20 @@ class SingleGoalServer {
   std::optional<GoalHandle> release() { return std::exchange(current_, std::nullopt); }
 
   void take(const GoalHandle& handle) {
-    if (current_) end(true, "replaced by a newer goal");
+    if (current_) end("replaced by a newer goal");
     current_ = handle;
     current_->setAccepted();
     try {
       start_(*handle.getGoal());
     } catch (...) {
       setAborted({}, "could not be started");
-      cancel_(false);  // in case the behaviour had begun before the exception
+      cancel_("could not be started");  // in case the behaviour had begun before the exception
       throw;
     }
   }
 
-  void end(bool replaced, const char* why) {
-    cancel_(replaced);
+  void end(const std::string& why) {
+    cancel_(why);
     setPreempted({}, why);  // unless the owner has done so in its callback
   }
 
