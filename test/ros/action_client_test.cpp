@@ -140,6 +140,13 @@ TEST_F(ActionClients, KnowTheGoalOfSomebodyElseWhenTheyAreToldThatTheirsIsLost) 
   EXPECT_TRUE(others_at_the_end_);
 }
 
+// [FLT-1]
+TEST_F(ActionClients, TellThatAGoalIsLostWhichTheServerTookAlongBeforeItWasAcknowledged) {
+  restart();
+  ASSERT_TRUE(comes([this] { return !ends_.empty(); }));
+  EXPECT_EQ(ends_, std::vector<std::string>{"LOST, the server did not report how the goal ended"});
+}
+
 // [EXP-11]
 TEST_F(ActionClients, LeaveARestartedServerForAMomentToThoseWhomTheEarlierOneServed) {
   client_.forget();

@@ -71,11 +71,13 @@ class ActionClient {
 
   /// Sends a goal; the end of the previous one is not reported any more. `done` is called once, when the goal has
   /// ended, and `heard` with each feedback. A result that the server published before this client was connected is
-  /// lost: `done` is then called with a null result, once the status has shown the end for a second.
+  /// lost: `done` is then called with a null result, once the status has shown the end for a second. So it is for a
+  /// goal that went with the server before its status had shown it, once the next server has been heard.
   void send(const Goal& goal, Done done, Heard heard = {}) {
     done_ = done;
     ended_at_.reset();
     idle_since_.reset();
+    may_be_lost_ = false;
     const auto changed = [done = std::move(done)](const GoalHandle& handle) {
       if (handle.getCommState() == actionlib::CommState::DONE) done(handle.getTerminalState(), handle.getResult());
     };
@@ -140,6 +142,7 @@ class ActionClient {
       others_return_ = others_return_ || (servesOthers() && isIdle());  // otherwise they had just given way
       others_now_ = false;
       others_expected_until_.reset();
+      may_be_lost_ = true;
     }
     monitor_.goalDisconnectCallback(connection);
   }
@@ -154,6 +157,7 @@ class ActionClient {
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
     lookForOthers(*event.getConstMessage());  // first, for those who are told below how their goal ended
     manager_.updateStatuses(event.getConstMessage());
+    endUnacknowledged(*event.getConstMessage());
     endWithoutResult(*event.getConstMessage());
     cancelStrays(*event.getConstMessage());
   }
@@ -170,7 +174,10 @@ class ActionClient {
     return true;
   }
   /// Whether no goal is under way, as far as this client was told.
-  bool isIdle() const { return handle_.isExpired() || handle_.getCommState() == actionlib::CommState::DONE; }
+  bool isIdle() const { return handle_.isExpired() || isIn(actionlib::CommState::DONE); }
+  bool isIn(actionlib::CommState::StateEnum state) const {
+    return !handle_.isExpired() && handle_.getCommState() == state;
+  }
   bool wasSent(const std::string& id) const { return std::find(sent_.begin(), sent_.end(), id) != sent_.end(); }
   /// Whether a goal is of this node or of an earlier one of its name: actionlib begins the ids with the name.
   static bool isOwn(const std::string& id) { return id.rfind(ros::this_node::getName() + "-", 0) == 0; }
@@ -202,14 +209,20 @@ class ActionClient {
       cancel_.publish(goal);
     }
   }
+  /// actionlib would wait for ever for a status that shows the goal.
+  void endUnacknowledged(const actionlib_msgs::GoalStatusArray& statuses) {
+    if (std::exchange(may_be_lost_, false) && isIn(actionlib::CommState::WAITING_FOR_GOAL_ACK)) end(statuses);
+  }
   void endWithoutResult(const actionlib_msgs::GoalStatusArray& statuses) {
-    if (handle_.isExpired() || handle_.getCommState() != actionlib::CommState::WAITING_FOR_RESULT) return;
+    if (!isIn(actionlib::CommState::WAITING_FOR_RESULT)) return;
     const SteadyTime now = steadyNow();
     if (!ended_at_) ended_at_ = now;
     if (now - *ended_at_ < kResultPatience) return;
-    const actionlib::TerminalState end = endOf(sent_.back(), statuses);
+    end(statuses);
+  }
+  void end(const actionlib_msgs::GoalStatusArray& statuses) {
     forget();
-    if (const Done done = std::exchange(done_, {})) done(end, nullptr);
+    if (const Done done = std::exchange(done_, {})) done(endOf(sent_.back(), statuses), nullptr);
   }
   void takeFeedback(const ros::MessageEvent<const ActionFeedback>& event) {
     manager_.updateFeedbacks(event.getConstMessage());
@@ -232,6 +245,7 @@ class ActionClient {
   GoalHandle handle_;
   std::deque<std::string> sent_;          ///< the ids of the last goals, the newest last
   Done done_;                             ///< called when a goal has ended but its result was lost
+  bool may_be_lost_ = false;              ///< the server went after the goal was sent
   std::optional<SteadyTime> ended_at_;    ///< since when the status has shown the end while the result is missing
   std::optional<SteadyTime> idle_since_;  ///< since when isIdle()
   // Callbacks run on the node's own thread, so none can arrive before all of these members are constructed.
