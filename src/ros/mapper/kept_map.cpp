@@ -141,10 +141,10 @@ std::string renew(const std::vector<fs::path>& poses) {
   return problem;
 }
 
-std::string rememberInTime(const SessionMemory& memory, const std::string& pose) {
+std::string tryForAWhile(const std::function<std::string()>& attempt) {
   const SteadyTime end = steadyNow() + std::chrono::seconds(2);
   for (;;) {
-    std::string problem = memory.remember(pose);
+    std::string problem = attempt();
     if (problem.empty() || steadyNow() >= end) return problem;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -34,9 +35,9 @@ std::string whereItIs(const std::string& lost);
 std::string renew(const std::vector<std::filesystem::path>& poses);
 /// The base of the map that was put aside last; empty if none is there.
 std::string lastSetAside(const std::filesystem::path& base);
-/// Stores the pose beside a map, on a thread that may wait for a disk which is busy for a moment. Returns why it could
-/// not be; empty if it was.
-std::string rememberInTime(const SessionMemory& memory, const std::string& pose);
+/// Stores what belongs to a map by `attempt`, which returns what went wrong, on a thread that may wait for a disk which
+/// is busy for a moment: again and again for two seconds. Returns what went wrong at last; empty if nothing did.
+std::string tryForAWhile(const std::function<std::string()>& attempt);
 
 }  // namespace frontier_pilot::kept_map
 

@@ -55,14 +55,14 @@ std::string save(const map_files::MapSnapshot& map, const SavedPose& pose, const
   fs::create_directories(base.parent_path(), error);
   if (!lost.empty() && kept_map::exists(base)) {
     // With whichever of the two maps a mapper begins, its pose is not that of the other one.
-    const std::string problem = kept_map::rememberInTime(memory, lost);
+    const std::string problem = kept_map::tryForAWhile([&] { return memory.remember(lost); });
     if (!problem.empty()) return joined(problem, setPreviousAside(memory, replaced));
   }
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
   if (!result.ok()) return lost.empty() ? result.text : joined(result.text, setPreviousAside(memory, replaced));
   kept_map::removeOldest(base);
-  if (!wanted) return {};  // a pose would have the next mapper continue with it
-  return pose.keepIn(memory);
+  // Once the map is not wanted any more, a pose would have the next mapper continue with it.
+  return kept_map::tryForAWhile([&] { return wanted ? pose.keepIn(memory) : std::string(); });
 }
 
 /// What `job` says that went wrong, or the exception that it threw; empty if nothing did.

@@ -46,14 +46,27 @@ class MapAutosaveInASession : public ::testing::Test {
     map.hit({0, 0});
     return map;
   }
-  /// Another map is loaded in place of the one that is kept, while the disk is busy until the promise is kept.
-  std::promise<void> loadWhileTheDiskIsBusy() {
-    EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
-    autosave_->supersede();
+  /// The disk is busy until the promise is kept.
+  static std::promise<void> keepTheDiskBusy() {
     setDiskPatience(std::chrono::milliseconds(50));
     std::promise<void> end;
     diskThread().run<int>([busy = end.get_future().share()] { return busy.wait(), 0; });
     return end;
+  }
+  /// Another map is loaded in place of the one that is kept, while the disk is busy until the promise is kept.
+  std::promise<void> loadWhileTheDiskIsBusy() {
+    EXPECT_EQ(save(mapAt(0.0), {kThere, true}), "");
+    autosave_->supersede();
+    return keepTheDiskBusy();
+  }
+  /// `job` is done while the disk is busy for a moment.
+  static void onABusyDisk(std::promise<void> end, const std::function<void()>& job) {
+    std::thread disk([&end] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      end.set_value();
+    });
+    job();
+    disk.join();
   }
   /// The map is saved from now on, and is not before what stays in `hanging_` is run.
   void beginToSave(double x, const MapPose& pose, std::uint64_t rendered) {
@@ -128,16 +141,20 @@ TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsNotContinuedWithAtThePlaceOnT
 
 // [FLT-2] [MAP-5]
 TEST_F(MapAutosaveInASession, OfAMapThatWasLoadedIsThereAlsoIfTheDiskIsBusyForAMoment_FLT_2_MAP_5) {
-  std::promise<void> end = loadWhileTheDiskIsBusy();
-  std::thread disk([&end] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    end.set_value();
-  });
-  EXPECT_EQ(save(mapAt(5.0), {Pose2(), false}), "");
-  disk.join();
+  onABusyDisk(loadWhileTheDiskIsBusy(), [this] { EXPECT_EQ(save(mapAt(5.0), {Pose2(), false}), ""); });
   const auto pose = restored();
   ASSERT_TRUE(pose);
   EXPECT_FALSE(pose->localized);
+}
+
+// [FLT-2] [MAP-5]
+TEST_F(MapAutosaveInASession, IsContinuedWithAlsoIfTheDiskIsBusyForAMomentWhenItsPoseIsWritten_FLT_2_MAP_5) {
+  beginToSave(0.0, {kThere, true}, 0);
+  onABusyDisk(keepTheDiskBusy(), [this] { hanging_.front()(); });
+  EXPECT_EQ(autosave_->whyNotSaved(), "");
+  const auto pose = restored();
+  ASSERT_TRUE(pose);
+  EXPECT_EQ(pose->T_map_odom, kThere);
 }
 
 // [FLT-2]
