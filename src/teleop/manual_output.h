@@ -42,6 +42,7 @@ class ManualOutput {
   State state_ = State::kWaiting;
   std::optional<SteadyTime> last_beat_;
   Twist2 set_point_;
+  bool asked_for_zero_ = false;  ///< by the window, since it was silenced
 };
 
 const char* toString(ManualOutput::State state);

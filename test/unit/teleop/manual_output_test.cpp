@@ -73,6 +73,24 @@ TEST(ManualOutput, SwitchedOffItSaysZeroOnceAndStartsAgainOnlyFromZero) {
   EXPECT_EQ(output.state(), teleop::ManualOutput::State::kRearm);
 }
 
+// [GUI-1] The window may see that manual is on again, and a press come, before the next update.
+TEST(ManualOutput, APressAfterAZeroCountsAlsoIfItComesBeforeTheUpdate) {
+  teleop::ManualOutput output = liveOutput(kForward);
+  EXPECT_EQ(output.update(false, at(0.1)), Twist2{});
+  output.beat({}, at(0.15));
+  output.beat(kForward, at(0.2));
+  EXPECT_EQ(output.update(true, at(0.25)), kForward);
+}
+
+// [GUI-3]
+TEST(ManualOutput, AZeroOfBeforeAFreezeDoesNotCount) {
+  teleop::ManualOutput output = liveOutput(kForward);
+  EXPECT_EQ(output.update(false, at(0.1)), Twist2{});
+  output.beat({}, at(0.2));
+  output.beat(kForward, at(5.0));
+  EXPECT_EQ(output.update(true, at(5.0)), Twist2{});
+}
+
 // [GUI-3]
 TEST(ManualOutput, NothingLeavesAfterTheZeroOfClosing) {
   teleop::ManualOutput output = liveOutput(kForward);
