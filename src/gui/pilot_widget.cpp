@@ -176,6 +176,7 @@ void PilotWidget::setState(const teleop::OperatorState& state) {
   const Twist2 before = drive_.setPoint();
   teleop::DriveLock lock =
       manual != nullptr && !manual->enabled ? teleop::DriveLock::kManualOff : teleop::DriveLock::kNone;
+  if (state.arbiter && state.arbiter->status_age > teleop::kStatusLifetime) lock = teleop::DriveLock::kArbiterSilent;
   if (state.emergency_stop.value_or(false)) lock = teleop::DriveLock::kEmergencyStop;
   drive_.setLock(lock);
   if (dropped || before != drive_.setPoint()) {
@@ -183,6 +184,8 @@ void PilotWidget::setState(const teleop::OperatorState& state) {
         lock == teleop::DriveLock::kNone ? "another source took or released the wheels" : toString(lock);
     appendLog({teleop::Severity::kWarning, "set-point dropped: " + why});
   }
+  const bool both_known = state.arbiter && last_state_.arbiter;
+  if (both_known && stopsIn(state) != stopsIn(last_state_)) stopBecause("the robot was stopped meanwhile");
   for (const teleop::OperatorLogLine& line : teleop::eventsBetween(last_state_, state)) appendLog(line);
   last_state_ = state;
   goOnClearing(state);

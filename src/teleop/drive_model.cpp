@@ -66,6 +66,8 @@ const char* toString(DriveLock lock) {
       return "";
     case DriveLock::kManualOff:
       return "manual is switched off";
+    case DriveLock::kArbiterSilent:
+      return "the arbiter is silent";
     case DriveLock::kEmergencyStop:
       break;
   }

@@ -18,7 +18,7 @@ enum class DriveKey { kUp, kDown, kLeft, kRight, kW, kA, kS, kD, kSpace };
 Motion motionOf(DriveKey key);
 
 /// Why no motion is accepted; `kNone`: it is accepted.
-enum class DriveLock { kNone, kManualOff, kEmergencyStop };
+enum class DriveLock { kNone, kManualOff, kArbiterSilent, kEmergencyStop };
 const char* toString(DriveLock lock);
 
 /// Converts presses and releases into the manual set-point, in the base frame [m/s], [rad/s]. [GUI-1] [GUI-4]

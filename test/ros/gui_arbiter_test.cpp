@@ -89,6 +89,23 @@ class Frozen {
   int pid_;
 };
 
+// [GUI-1] [ARB-8] What the window sends meanwhile would be delivered after a stop and its clear.
+TEST_F(GuiOnTheWire, AnArbiterThatIsSilentIsSentAZeroAndThenNothing_GUI_1) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  ASSERT_TRUE(drivesAtGo(window)) << window.log().toStdString();
+  {
+    const Frozen frozen_arbiter(processOf("/cmd_vel_arbiter"));
+    EXPECT_TRUE(waitFor([&] { return window.log().contains("set-point dropped: the arbiter is silent"); }));
+    EXPECT_TRUE(waitFor([&] { return robot_.manual_command == 0.0; }));
+    const int count = robot_.manual_count;
+    QTest::qWait(500);  // that nothing comes can only be seen by waiting
+    EXPECT_LE(robot_.manual_count, count + 1);
+  }
+  ASSERT_TRUE(ready(window));
+  EXPECT_TRUE(drivesAtGo(window)) << window.log().toStdString();
+}
+
 // [ARB-12] [GUI-2]
 TEST_F(GuiOnTheWire, TheStopNeedsNoMasterAndTheWindowSaysSoWhileTheArbiterIsHeard) {
   Window window;

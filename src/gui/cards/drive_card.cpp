@@ -67,8 +67,7 @@ void DriveCard::showDrive(const teleop::DriveModel& drive) {
 QString DriveCard::hint(const teleop::DriveModel& drive) const {
   if (drive.lock() != teleop::DriveLock::kNone) return QString("Locked: ") + toString(drive.lock()) + ".";
   if (driver_ == "avoid") return "avoid drives; your set-point waits.";
-  const QString driver = driver_.isEmpty() ? QString("Who drives is not known") : driver_ + " drives";
-  if (drive.machineDrives()) return driver + ": the arrows have no effect.";
+  if (drive.machineDrives()) return driver_ + " drives: the arrows have no effect.";
   return drive.holdToRun() ? "Hold arrows or WASD. Release stops." : "Arrows or WASD step, space stops.";
 }
 

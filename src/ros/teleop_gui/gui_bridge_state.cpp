@@ -133,9 +133,11 @@ void GuiBridge::onAvoiderTuned(const dynamic_reconfigure::Config& msg) {
   avoider_parameters_ = tuned(avoider_parameters_.value_or(avoid::AvoiderParameters()), msg);
 }
 
+/// Also off while an arbiter that was heard is silent: what is sent over a link that has failed waits in it, and would
+/// move the robot after a stop and its clear. [ARB-8]
 bool GuiBridge::manualOn(SteadyTime now) const {
   const auto status = arbiter_.fresh(now, kFresh);
-  if (!status) return true;
+  if (!status) return !arbiter_.has();
   return std::none_of(status->sources.begin(), status->sources.end(),
                       [](const ArbiterSource& source) { return source.name == kManualSource && source.enabled == 0; });
 }

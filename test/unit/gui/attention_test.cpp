@@ -1,6 +1,7 @@
 // What the operator is told in words: a stop that cannot be cleared, contacts, and what became of the goals. [GUI-2]
 
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <algorithm>
 
@@ -102,6 +103,21 @@ TEST_F(Attention, AnOperatorWhoClearsTakesOverFromTheWayOut) {
   click("clear_emergency_stop");
   refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
+}
+
+// [GUI-1] [ARB-8] A stop and its clear can come between two refreshes: only their count tells of them.
+TEST_F(Attention, AStopThatWasClearedUnseenDropsTheSetPoint_ARB_8) {
+  click("Go");
+  refresh(2);
+  EXPECT_FALSE(widget_->setPoint().isZero());
+  ++state_.arbiter->stops;
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_TRUE(
+      find<QPlainTextEdit>("log")->toPlainText().contains("set-point dropped: the robot was stopped meanwhile"));
+  click("Go");
+  refresh(2);
+  EXPECT_FALSE(widget_->setPoint().isZero()) << "a new press drives";
 }
 
 // [GUI-2]

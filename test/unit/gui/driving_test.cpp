@@ -234,6 +234,42 @@ TEST_F(Driving, ALatchedEmergencyStopDropsTheSetPointAndLocksThePad) {
   EXPECT_TRUE(widget_->setPoint().isZero());
 }
 
+// [GUI-1] [ARB-8] The robot may be stopped and cleared while the window hears nothing of it.
+TEST_F(Driving, AnArbiterThatFallsSilentDropsTheSetPointAndLocksThePad_GUI_1) {
+  const auto hear = [this](double age) {
+    state_.arbiter->status_age = age;
+    widget_->setState(state_);
+  };
+  click("Go");
+  hear(2.9);
+  EXPECT_FALSE(widget_->setPoint().isZero());
+  hear(3.1);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_FALSE(find("Go")->isEnabled());
+  EXPECT_TRUE(find("Stop")->isEnabled());
+  EXPECT_EQ(find<gui::ElidedLabel>("drive_hint")->fullText(), "Locked: the arbiter is silent.");
+  EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("set-point dropped: the arbiter is silent"));
+  QTest::keyClick(widget_.get(), Qt::Key_Up);
+  hear(0.0);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  click("Go");
+  EXPECT_FALSE(widget_->setPoint().isZero());
+}
+
+// [GUI-4]
+TEST_F(Driving, AKeyThatIsHeldWhileTheArbiterIsSilentDrivesOnlyAfterANewPress_GUI_4) {
+  openHoldToRun();
+  QTest::keyPress(widget_.get(), Qt::Key_W);
+  state_.arbiter->status_age = 60.0;
+  widget_->setState(state_);
+  state_.arbiter->status_age = 0.0;
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  QTest::keyRelease(widget_.get(), Qt::Key_W);
+  QTest::keyPress(widget_.get(), Qt::Key_W);
+  EXPECT_FALSE(widget_->setPoint().isZero());
+}
+
 // [GUI-1]
 TEST_F(Driving, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore) {
   state_.arbiter_changes = 1;

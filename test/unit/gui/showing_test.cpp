@@ -208,7 +208,7 @@ TEST_F(Showing, TheHintTellsWhetherTheSetPointWaitsOrIsDropped) {
   };
   EXPECT_EQ(hint("avoid", 0.0), "avoid drives; your set-point waits.");
   EXPECT_EQ(hint("nav", 0.0), "nav drives: the arrows have no effect.");
-  EXPECT_EQ(hint("nav", 60.0), "Who drives is not known: the arrows have no effect.");
+  EXPECT_EQ(hint("nav", 60.0), "Locked: the arbiter is silent.");
 }
 
 // [GUI-2]

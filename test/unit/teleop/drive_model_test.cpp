@@ -138,7 +138,8 @@ TEST(DriveModel, ChangingTheWayOfDrivingStops) {
 }
 
 TEST(DriveModel, ALockDropsTheSetPointAndPressesUntilItIsTakenAway) {
-  for (const teleop::DriveLock lock : {teleop::DriveLock::kEmergencyStop, teleop::DriveLock::kManualOff}) {
+  using teleop::DriveLock;
+  for (const DriveLock lock : {DriveLock::kEmergencyStop, DriveLock::kArbiterSilent, DriveLock::kManualOff}) {
     teleop::DriveModel drive{teleop::TeleopParameters{}};
     drive.press(teleop::Motion::kGo);
     drive.setLock(lock);
@@ -217,6 +218,7 @@ TEST(DriveModel, MotionsAreNamedAsTheButtonsAre) {
 TEST(DriveModel, ALockSaysWhyTheButtonsHaveNoEffect) {
   EXPECT_STREQ(toString(teleop::DriveLock::kNone), "");
   EXPECT_STREQ(toString(teleop::DriveLock::kManualOff), "manual is switched off");
+  EXPECT_STREQ(toString(teleop::DriveLock::kArbiterSilent), "the arbiter is silent");
   EXPECT_STREQ(toString(teleop::DriveLock::kEmergencyStop), "the emergency stop is latched");
 }
 
