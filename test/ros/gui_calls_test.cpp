@@ -109,13 +109,20 @@ TEST_F(GuiOnTheWire, AStopOvertakesWhatWaitsBehindAServiceThatHangsAndCanBeClear
   EXPECT_EQ(avoider_calls, 0);
 }
 
-/// A server of patrols that shows no goal, as if none had arrived, and keeps the ids of goals and of cancels.
-class UnreachedPatrols {
+/// A server of patrols that obeys no goal, and keeps the ids of goals and of cancels.
+class FeignedPatrols {
  public:
   using Ids = std::vector<std::string>;
 
-  /// A server is up only as long as it does so.
-  void sayStatus() const { status_.publish(actionlib_msgs::GoalStatusArray()); }
+  /// What goes on; with nothing it is as if no goal had arrived. A server is up only as long as it says so.
+  void sayStatus(const Ids& active = {}) const {
+    actionlib_msgs::GoalStatusArray status;
+    for (const std::string& id : active) {
+      status.status_list.emplace_back().goal_id.id = id;
+      status.status_list.back().status = actionlib_msgs::GoalStatus::ACTIVE;
+    }
+    status_.publish(status);
+  }
   Ids goals() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return goals_;
@@ -145,7 +152,7 @@ class UnreachedPatrols {
 // [GUI-2] Goals and cancels have connections of their own: what is pressed later may arrive earlier.
 TEST_F(GuiOnTheWire, AGoalThatHasNotArrivedIsCancelledByItsIdWithAStop_GUI_2) {
   using Kind = teleop::OperatorRequest::Kind;
-  UnreachedPatrols server;
+  FeignedPatrols server;
   Window window;
   ASSERT_TRUE(ready(window));
   ASSERT_TRUE(waitFor([&] {
@@ -161,11 +168,37 @@ TEST_F(GuiOnTheWire, AGoalThatHasNotArrivedIsCancelledByItsIdWithAStop_GUI_2) {
   EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
   window.bridge.request({Kind::kStopPatrol, false, {}});
   EXPECT_TRUE(waitFor([&] { return !server.cancels().empty() && server.cancels().back().empty(); }));
-  UnreachedPatrols::Ids cancels = server.cancels();
+  FeignedPatrols::Ids cancels = server.cancels();
   ASSERT_GE(cancels.size(), 3U) << "of the stop and of the patrol alone";
   cancels.pop_back();  // the empty id, which cancels all goals that have arrived
   for (const std::string& cancelled : cancels) EXPECT_EQ(cancelled, id);
   EXPECT_TRUE(clears(window));
+}
+
+// [GUI-2] [GUI-3] A server that was killed never tells how its goal has ended.
+TEST_F(GuiOnTheWire, AGoalThatDiedWithItsServerIsNeitherShownNorCancelledAsTheWindowsOwn_GUI_3) {
+  using Kind = teleop::OperatorRequest::Kind;
+  FeignedPatrols server;
+  Window window;
+  ASSERT_TRUE(ready(window));
+  const auto patrol = [&window] { return window.bridge.state().patrol; };
+  const auto says = [&server](const FeignedPatrols::Ids& active, const auto& condition) {
+    return waitFor([&] {
+      server.sayStatus(active);
+      return condition();
+    });
+  };
+  ASSERT_TRUE(says({}, [&] { return patrol().server_up; }));
+  window.bridge.request({Kind::kPatrol, true, {}, 1, 0.5, 1});
+  ASSERT_TRUE(waitFor([&] { return !server.goals().empty(); }));
+  ASSERT_TRUE(says({server.goals().front()}, [&] { return patrol().own; }));
+  ASSERT_TRUE(says({}, [&] { return !patrol().active; })) << "as one that was started anew";
+  ASSERT_TRUE(says({"of another client"}, [&] { return patrol().active; }));
+  EXPECT_FALSE(patrol().own);
+  window.controller.close();
+  window.bridge.request({Kind::kStopPatrol, false, {}});  // whose cancel of all goals comes after those of the end
+  EXPECT_TRUE(waitFor([&] { return !server.cancels().empty() && server.cancels().back().empty(); }));
+  EXPECT_EQ(server.cancels(), FeignedPatrols::Ids{""});
 }
 
 }  // namespace

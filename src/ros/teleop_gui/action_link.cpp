@@ -60,7 +60,7 @@ void ActionLink<Action>::start(const Goal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     own_id_ = msg.goal_id.id;
-    has_arrived_ = false;
+    shown_ = Shown::kNotYet;
     view_.result.clear();
     view_.feedback.clear();
   }
@@ -84,12 +84,12 @@ void ActionLink<Action>::cancelOwn() {
 template <class Action>
 void ActionLink<Action>::cancelUnlessArrived() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!has_arrived_) cancelById();
+  if (shown_ == Shown::kNotYet) cancelById();
 }
 
 template <class Action>
 void ActionLink<Action>::cancelById() {
-  if (own_id_.empty()) return;
+  if (own_id_.empty() || shown_ == Shown::kNoLonger) return;
   actionlib_msgs::GoalID id;
   id.id = own_id_;
   cancel_publisher_.publish(id);
@@ -106,7 +106,7 @@ teleop::ActionView ActionLink<Action>::view() const {
   view.connected = goal_publisher_.getNumSubscribers() > 0 && status_subscriber_.getNumPublishers() > 0;
   view.server_up = view.connected && heard;
   view.active = view.active && view.connected;
-  view.own = view.active && !own_id_.empty();
+  view.own = view.active && !own_id_.empty() && shown_ != Shown::kNoLonger;
   return view;
 }
 
@@ -115,10 +115,13 @@ void ActionLink<Action>::onStatus(const actionlib_msgs::GoalStatusArray& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
   heard_ = steadyNow();
   view_.active = std::any_of(msg.status_list.begin(), msg.status_list.end(), isGoingOn);
-  const auto is_own = [this](const actionlib_msgs::GoalStatus& status) {
-    return status.goal_id.id == own_id_ && status.status != actionlib_msgs::GoalStatus::RECALLING;
-  };
-  has_arrived_ = has_arrived_ || std::any_of(msg.status_list.begin(), msg.status_list.end(), is_own);
+  const auto own = std::find_if(msg.status_list.begin(), msg.status_list.end(),
+                                [this](const auto& status) { return status.goal_id.id == own_id_; });
+  if (own == msg.status_list.end()) {
+    if (shown_ == Shown::kYes) shown_ = Shown::kNoLonger;
+  } else if (own->status != actionlib_msgs::GoalStatus::RECALLING) {  // a cancel may be shown before its goal arrives
+    shown_ = Shown::kYes;
+  }
 }
 
 template <class Action>

@@ -44,6 +44,10 @@ class ActionLink {
   teleop::ActionView view() const;
 
  private:
+  /// Whether the server shows the goal that was sent here. One that no longer does was started anew: the goal has died
+  /// with the one before, and no result of it will come.
+  enum class Shown { kNotYet, kYes, kNoLonger };
+
   void cancelById();
   void onStatus(const actionlib_msgs::GoalStatusArray& msg);
   void onFeedback(const ActionFeedback& msg);
@@ -55,7 +59,7 @@ class ActionLink {
   actionlib::GoalIDGenerator ids_;
   mutable std::mutex mutex_;  ///< guards the four that follow
   std::string own_id_;        ///< of the goal sent here; empty if there is none or it has ended
-  bool has_arrived_ = false;  ///< the server has shown that goal
+  Shown shown_ = Shown::kNotYet;
   teleop::ActionView view_;
   std::optional<SteadyTime> heard_;  ///< when the server last sent its status
   ros::Publisher goal_publisher_, cancel_publisher_;
